@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/pddl/ast.h"
+#include "goal_alignment/pddl/exceptions.h"
+
+namespace goal_alignment::pddl {
+
+using TypeId = int;
+using ObjectId = int;
+using PredicateId = int;
+using SchemaId = int;
+
+/// The type every object has; `number` is no type of objects.
+constexpr TypeId kObjectType = 0;
+
+/// A name in lower case, by which it is matched, and as its writer spelled it, for people.
+struct Spelled {
+  std::string name;
+  std::string spelling;
+};
+
+struct Type {
+  Spelled name;
+  TypeId parent = -1;  ///< -1 for `object`
+};
+
+struct Object {
+  Spelled name;
+  TypeId type = kObjectType;
+};
+
+struct Predicate {
+  Spelled name;
+  std::vector<TypeId> parameter_types;
+  bool fluent = false;  ///< some action adds or deletes it
+};
+
+/// A term of a lifted atom: the action's n-th parameter or an object.
+struct Term {
+  bool is_parameter = false;
+  int index = 0;  ///< parameter index or ObjectId
+};
+
+struct LiftedAtom {
+  PredicateId predicate = 0;
+  std::vector<Term> terms;
+};
+
+struct LiftedLiteral {
+  LiftedAtom atom;
+  bool negated = false;
+};
+
+struct Equality {
+  Term left;
+  Term right;
+  bool negated = false;  ///< true for `(not (= a b))`
+};
+
+struct Parameter {
+  std::string name;  ///< lower case, without `?`
+  TypeId type = kObjectType;
+};
+
+/// An action schema. Where an effect both adds and deletes one ground atom, the add wins.
+struct Schema {
+  Spelled name;
+  std::vector<Parameter> parameters;
+  std::vector<LiftedLiteral> precondition;
+  std::vector<Equality> equalities;
+  std::vector<LiftedAtom> add;
+  std::vector<LiftedAtom> del;
+  std::int64_t constant_cost = 0;           ///< of `(increase (total-cost) n)`
+  std::optional<LiftedAtom> function_cost;  ///< of `(increase (total-cost) (f …))`; .predicate
+                                            ///< indexes Model::functions
+};
+
+/// `(predicate object …)` by ids.
+struct Atom {
+  PredicateId predicate = 0;
+  std::vector<ObjectId> objects;
+
+  friend bool operator==(const Atom& a, const Atom& b) {
+    return a.predicate == b.predicate && a.objects == b.objects;
+  }
+};
+
+struct AtomHash {
+  std::size_t operator()(const Atom& atom) const noexcept;
+};
+
+struct GoalLiteral {
+  Atom atom;
+  bool negated = false;
+};
+
+/// A domain and a problem, checked against each other and resolved to ids: the lifted model that
+/// grounding and validation read. Immutable once linked.
+struct Model {
+  std::string domain_source;  ///< names of the files, for messages
+  std::string problem_source;
+  std::vector<Type> types;      ///< [kObjectType] is `object`
+  std::vector<Object> objects;  ///< the domain's constants first
+  std::vector<Predicate> predicates;
+  std::vector<Predicate> functions;  ///< numeric, without total-cost
+  std::vector<Schema> schemas;
+  std::vector<Atom> init;  ///< without duplicates
+  std::vector<GoalLiteral> goal;
+  std::unordered_map<Atom, std::int64_t, AtomHash> function_values;
+  bool has_costs = false;  ///< the problem minimises total-cost; else every action costs 1
+
+  std::optional<PredicateId> findPredicate(const std::string& lower_name) const;
+  std::optional<ObjectId> findObject(const std::string& lower_name) const;
+  std::optional<SchemaId> findSchema(const std::string& lower_name) const;
+
+  /// Reflexive and transitive. O(depth of the hierarchy).
+  bool isSubtype(TypeId type, TypeId of) const;
+
+  /// The atom by ids, or nothing where the predicate, an object, the arity or a type does not fit;
+  /// `why_not`, if given, then says which.
+  std::optional<Atom> resolve(const GroundName& ground, std::string* why_not = nullptr) const;
+
+  GroundName name(const Atom& atom) const;
+  std::vector<Literal> goalLiterals() const;
+
+  /// The text of an atom or action with the names as they were written, where this model knows
+  /// them, else as they are.
+  std::string spelling(const GroundName& ground) const;
+
+  /// The goal becomes these literals. Throws SemanticError naming the literal that does not fit.
+  void setGoal(const std::vector<Literal>& literals);
+
+ private:
+  friend Model link(const ast::Domain& domain, const ast::Problem& problem);
+  std::unordered_map<std::string, PredicateId> predicate_ids_;
+  std::unordered_map<std::string, ObjectId> object_ids_;
+  std::unordered_map<std::string, SchemaId> schema_ids_;
+};
+
+/// Checks and resolves. Throws SemanticError (undeclared or doubly declared names, wrong arity,
+/// wrong types, cyclic types, a problem for another domain, a negative cost, …) at the first fault.
+/// O(size of both texts).
+Model link(const ast::Domain& domain, const ast::Problem& problem);
+
+/// parseDomain, parseProblem and link in one.
+Model readModel(const Source& domain, const Source& problem);
+
+/// Every fault found, as `file:line:column: message`: the syntax of both texts, then (when both
+/// parse) the first semantic one. Empty: the pair can be planned with. Never throws.
+std::vector<std::string> faults(const Source& domain, const Source& problem);
+
+}  // namespace goal_alignment::pddl

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "action_reader.h"
+
+#include <string>
+
+#include "declaration_reader.h"
+#include "formula_reader.h"
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/pddl/near_name.h"
+#include "number_reader.h"
+
+namespace goal_alignment::pddl {
+
+namespace {
+
+/// What follows `(increase`: `(total-cost) n` or `(total-cost) (f term …)`.
+ast::CostEffect readIncrease(TokenReader& reader) {
+  reader.open("'(total-cost)'");
+  if (reader.atName() && !reader.atWord("total-cost")) {
+    reader.failUnsupported(
+        reader.current().position,
+        "'increase' of " + inQuotes(reader.current().text) + " (a numeric fluent)");
+  }
+  reader.word("total-cost", "'total-cost'");
+  reader.close();
+  ast::CostEffect cost;
+  if (!reader.atOpen()) {
+    cost.constant = readCost(reader);
+    return cost;
+  }
+  reader.open();
+  if (reader.atWord("+") || reader.atWord("-") || reader.atWord("*") || reader.atWord("/")) {
+    reader.failUnsupported(reader.current().position, "arithmetic in an action cost");
+  }
+  if (reader.atWord("total-cost")) {
+    reader.failUnsupported(reader.current().position, "'total-cost' as an action cost");
+  }
+  cost.function = readAtom(reader, Terms::WithParameters, "a function");
+  reader.close();
+  return cost;
+}
+
+/// Fills an action's effects and cost. A cost is no effect on the state, so the two are told apart
+/// while reading:
+///
+///     effect := () | (and effect …) | atom | (not atom) | (increase (total-cost) cost)
+class EffectReader {
+ public:
+  EffectReader(TokenReader& reader, ast::Action& action) : reader_(reader), action_(action) {}
+
+  void read() {
+    reader_.open();
+    readConjuncts();
+  }
+
+ private:
+  // Enters behind the `(`, leaves behind its `)`.
+  void readConjuncts() {
+    if (reader_.atWord("and")) {
+      reader_.word("'and'");
+      while (!reader_.atClose()) {
+        reader_.open("'(' or ')'");
+        readConjuncts();
+      }
+    } else if (reader_.atWord("not")) {
+      readDelete();
+    } else if (reader_.atWord("increase")) {
+      readCostEffect();
+    } else if (!reader_.atClose()) {
+      action_.effect.push_back({readEffectAtom("a predicate, 'and', 'not', 'increase' or ')'")});
+    }
+    reader_.close();
+  }
+
+  void readDelete() {
+    reader_.word("'not'");
+    reader_.open("an atom's '('");
+    action_.effect.push_back({readEffectAtom("a predicate"), true});
+    reader_.close();
+  }
+
+  // What the reader expects here names no `=`: an effect can't make two objects equal.
+  ast::Atom readEffectAtom(const std::string& what) {
+    return readAtom(reader_, Terms::WithParameters, what);
+  }
+
+  void readCostEffect() {
+    const Token increase = reader_.word("'increase'");
+    // Two constants could be added up, but two functions need arithmetic on costs; domains that
+    // do so are rare and would want it said.
+    if (action_.cost) reader_.failUnsupported(increase.position, "a second cost of one action");
+    action_.cost = readIncrease(reader_);
+  }
+
+  TokenReader& reader_;
+  ast::Action& action_;
+};
+
+/// What follows one of the three keywords. The place is set for errors deeper down.
+void readPart(TokenReader& reader, const std::string& keyword, ast::Action& action) {
+  const std::string of_action = " of action " + inQuotes(action.name.spelling);
+  if (keyword == ":parameters") {
+    reader.setPlace("the parameters" + of_action);
+    reader.open();
+    action.parameters = readTypedList(reader, ListOf::Variables, "a parameter such as '?x'");
+    reader.close();
+  } else if (keyword == ":precondition") {
+    reader.setPlace("the precondition" + of_action);
+    action.precondition = readCondition(reader, Terms::WithParameters);
+  } else {
+    reader.setPlace("the effect" + of_action);
+    EffectReader(reader, action).read();
+  }
+}
+
+}  // namespace
+
+ast::Action readAction(TokenReader& reader) {
+  ast::Action action;
+  action.name = reader.name("the action's name");
+  reader.setPlace("action " + inQuotes(action.name.spelling));
+  SectionLog log;
+  while (!reader.atClose()) {
+    if (reader.atWord(":vars")) {
+      reader.failUnsupported(reader.current().position, "':vars' (variables beside parameters)");
+    }
+    if (!reader.atWord(":parameters") && !reader.atWord(":precondition") &&
+        !reader.atWord(":effect")) {
+      const std::string found(reader.atWord() ? reader.current().text : "");
+      reader.failExpecting("':parameters', ':precondition', ':effect' or ')'",
+                           suggestion(found, {":parameters", ":precondition", ":effect"}));
+    }
+    log.note(reader);
+    // The parts come in any order, and any of them may be missing.
+    const Token keyword = reader.word("a keyword");
+    readPart(reader, toLower(keyword.text), action);
+  }
+  return action;
+}
+
+}  // namespace goal_alignment::pddl

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "declaration_reader.h"
+
+#include "formula_reader.h"
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/pddl/near_name.h"
+
+namespace goal_alignment::pddl {
+
+namespace {
+
+/// A single type; `(either a b)` gets its own refusal.
+ast::Name readType(TokenReader& reader) {
+  if (reader.atOpen()) {
+    reader.open();
+    refuseReserved(reader);
+    reader.failExpecting("'either'");
+  }
+  return reader.name("a type");
+}
+
+/// `(name ?x - type …)`: of a predicate or a function.
+ast::Predicate readSignature(TokenReader& reader, const std::string& what) {
+  reader.open("'(' or ')'");
+  if (reader.atWord() && isReserved(toLower(reader.current().text))) {
+    reader.failExpecting(what, ", which PDDL reserves");
+  }
+  ast::Predicate predicate;
+  predicate.name = reader.name(what);
+  predicate.parameters = readTypedList(reader, ListOf::Variables, "a variable such as '?x'");
+  reader.close();
+  return predicate;
+}
+
+/// The `- number` that may follow a function.
+void readFunctionType(TokenReader& reader) {
+  if (!reader.atWord("-")) return;
+  reader.word("'-'");
+  // Other types than `number` make it an object fluent.
+  const ast::Name type = readType(reader);
+  if (toLower(type.spelling) != "number") {
+    reader.failUnsupported(type.position,
+                           "a function to " + inQuotes(type.spelling) + " (an object fluent)");
+  }
+}
+
+}  // namespace
+
+ast::Name readHeader(TokenReader& reader, const std::string& kind) {
+  reader.open("'(define'");
+  reader.word("define", "'define'");
+  reader.open("'(" + kind + "'");
+  reader.word(kind, "'" + kind + "'");
+  ast::Name name = reader.name("the " + kind + "'s name");
+  reader.close();
+  return name;
+}
+
+std::vector<ast::Name> readRequirements(TokenReader& reader) {
+  std::vector<ast::Name> requirements;
+  while (!reader.atClose()) {
+    const std::string what = "a requirement such as ':strips' or ')'";
+    if (reader.atWord() && reader.current().text.front() != ':') reader.failExpecting(what);
+    const Token flag = reader.word(what);
+    requirements.push_back({std::string(flag.text), flag.position});
+  }
+  return requirements;
+}
+
+std::vector<ast::TypedName> readTypedList(TokenReader& reader, ListOf kind,
+                                          const std::string& what) {
+  std::vector<ast::TypedName> list;
+  std::size_t typed = 0;  // names before this one have got their type
+  while (!reader.atClose()) {
+    const std::string expected = what + (typed < list.size() ? ", '-' or ')'" : " or ')'");
+    if (typed == list.size() || !reader.atWord("-")) {
+      const bool names = kind == ListOf::Names;
+      list.push_back({names ? reader.name(expected) : reader.variable(expected), {}});
+      continue;
+    }
+    reader.word("'-'");
+    const ast::Name type = readType(reader);
+    while (typed < list.size())
+      list[typed++].type = type;
+  }
+  return list;
+}
+
+std::vector<ast::Predicate> readPredicates(TokenReader& reader) {
+  std::vector<ast::Predicate> predicates;
+  while (!reader.atClose())
+    predicates.push_back(readSignature(reader, "a predicate's name"));
+  return predicates;
+}
+
+std::vector<ast::Predicate> readFunctions(TokenReader& reader) {
+  std::vector<ast::Predicate> functions;
+  while (!reader.atClose()) {
+    functions.push_back(readSignature(reader, "a function's name"));
+    readFunctionType(reader);
+  }
+  return functions;
+}
+
+void SectionLog::note(const TokenReader& reader) {
+  const Token& keyword = reader.current();
+  const auto [first, is_new] = seen_.emplace(toLower(keyword.text), keyword.position);
+  if (!is_new) {
+    reader.fail(keyword.position, inQuotes(keyword.text) +
+                                      " stands here a second time; the first is at " +
+                                      toString(first->second));
+  }
+}
+
+}  // namespace goal_alignment::pddl

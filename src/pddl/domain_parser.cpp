@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+#include <vector>
+
+#include "action_reader.h"
+#include "declaration_reader.h"
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/pddl/near_name.h"
+#include "goal_alignment/pddl/parser.h"
+
+namespace goal_alignment::pddl {
+
+namespace {
+
+const std::vector<std::string> kSections{":requirements", ":types",     ":constants",
+                                         ":predicates",   ":functions", ":action"};
+
+/// Sections of PDDL's later versions, and of its earliest.
+const std::vector<std::string> kRefusedSections{
+    ":durative-action", ":derived", ":axiom",    ":constraints", ":process",
+    ":event",           ":extends", ":timeless", ":safety",      ":domain-variables"};
+
+/// (define (domain name) section …), the sections in any order: nothing is looked up before
+/// linking, so none needs to stand before another.
+class DomainParser {
+ public:
+  explicit DomainParser(const Source& source) : reader_(source) {
+    domain_.source.name = source.name;
+  }
+
+  ast::Domain parse() {
+    domain_.name = readHeader(reader_, "domain");
+    while (!reader_.atClose()) {
+      reader_.open("'(' or ')'");
+      readSection();
+      reader_.close();
+    }
+    reader_.close();
+    reader_.finish();
+    return std::move(domain_);
+  }
+
+ private:
+  void readSection() {
+    refuseUnknownSection();
+    // Actions alone come as often as they like.
+    if (!reader_.atWord(":action")) log_.note(reader_);
+    const std::string keyword = toLower(reader_.word("a section").text);
+    reader_.setPlace(keyword);
+    if (keyword == ":requirements") {
+      domain_.requirements = readRequirements(reader_);
+    } else if (keyword == ":types") {
+      domain_.types = readTypedList(reader_, ListOf::Names, "a type");
+    } else if (keyword == ":constants") {
+      domain_.constants = readTypedList(reader_, ListOf::Names, "an object");
+    } else if (keyword == ":predicates") {
+      domain_.predicates = readPredicates(reader_);
+    } else if (keyword == ":functions") {
+      domain_.functions = readFunctions(reader_);
+    } else {
+      domain_.actions.push_back(readAction(reader_));
+    }
+  }
+
+  // Known to PDDL but not to us, or known to nobody: two different errors.
+  void refuseUnknownSection() {
+    reader_.setPlace("domain " + inQuotes(domain_.name.spelling));
+    for (const std::string& refused : kRefusedSections) {
+      if (reader_.atWord(refused)) {
+        reader_.failUnsupported(reader_.current().position, "'" + refused + "'");
+      }
+    }
+    for (const std::string& known : kSections) {
+      if (reader_.atWord(known)) return;
+    }
+    const std::string found(reader_.atWord() ? reader_.current().text : "");
+    reader_.failExpecting("a section of a domain, such as ':action'", suggestion(found, kSections));
+  }
+
+  TokenReader reader_;
+  ast::Domain domain_;
+  SectionLog log_;
+};
+
+}  // namespace
+
+ast::Domain parseDomain(const Source& source) {
+  return DomainParser(source).parse();
+}
+
+}  // namespace goal_alignment::pddl

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "goal_alignment/pddl/ast.h"
+#include "goal_alignment/pddl/model.h"
+#include "name_table.h"
+
+/// Linking in four steps, each of which needs the ones before it: declarations, action schemas,
+/// then the problem's facts and goal. Every step throws SemanticError at the first fault.
+namespace goal_alignment::pddl {
+
+/// What the steps hand on.
+struct LinkContext {
+  LinkContext(const ast::Domain& domain_ast, const ast::Problem& problem_ast);
+
+  const ast::Domain& domain;
+  const ast::Problem& problem;
+  Model model;
+  NameTable types{"type"};
+  NameTable objects{"object"};
+  NameTable predicates{"predicate"};
+  NameTable functions{"function"};
+  NameTable schemas{"action"};
+
+  /// The declared type, or `object` where none was written.
+  TypeId typeOf(const ast::TypedName& typed, const std::string& source_name) const;
+};
+
+/// Predicates or functions with their names: the two kinds of things that take arguments.
+struct Vocabulary {
+  const NameTable& names;
+  const std::vector<Predicate>& signatures;
+};
+Vocabulary predicatesOf(const LinkContext& context);
+Vocabulary functionsOf(const LinkContext& context);
+
+void linkTypes(LinkContext& context);
+void linkObjects(LinkContext& context);
+void linkPredicatesAndFunctions(LinkContext& context);
+void linkSchemas(LinkContext& context);
+void linkInit(LinkContext& context);
+void linkGoal(LinkContext& context);
+
+/// The id of the atom's predicate or function, known and given as many terms as it takes.
+PredicateId signatureOf(const ast::Atom& atom, const Vocabulary& vocabulary,
+                        const std::string& source_name);
+
+/// The ground atom, with arguments of the right types.
+Atom linkGroundAtom(const LinkContext& context, const ast::Atom& atom, const Vocabulary& vocabulary,
+                    const std::string& source_name);
+
+/// `'on' takes 2 arguments, found 1`
+std::string wrongCount(const std::string& taker, std::size_t takes, std::size_t given);
+/// `'b' is of type 'ball', but 'on' takes 'block' there`
+std::string wrongType(const Model& model, const std::string& term, TypeId is,
+                      const std::string& taker, TypeId wanted);
+
+}  // namespace goal_alignment::pddl

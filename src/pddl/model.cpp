@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/pddl/model.h"
+
+#include "link_context.h"
+#include "name_table.h"
+
+namespace goal_alignment::pddl {
+
+namespace {
+
+std::optional<int> findIn(const std::unordered_map<std::string, int>& ids,
+                          const std::string& lower_name) {
+  const auto found = ids.find(lower_name);
+  if (found == ids.end()) return std::nullopt;
+  return found->second;
+}
+
+}  // namespace
+
+std::size_t AtomHash::operator()(const Atom& atom) const noexcept {
+  // Ids are small and dense; a multiplication each spreads them over the buckets.
+  std::uint64_t hash = static_cast<std::uint64_t>(atom.predicate) + 1;
+  for (const ObjectId object : atom.objects) {
+    hash = (hash ^ (static_cast<std::uint64_t>(object) + 1)) * 0x9e3779b97f4a7c15ULL;
+    hash ^= hash >> 29U;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+std::optional<PredicateId> Model::findPredicate(const std::string& lower_name) const {
+  return findIn(predicate_ids_, lower_name);
+}
+
+std::optional<ObjectId> Model::findObject(const std::string& lower_name) const {
+  return findIn(object_ids_, lower_name);
+}
+
+std::optional<SchemaId> Model::findSchema(const std::string& lower_name) const {
+  return findIn(schema_ids_, lower_name);
+}
+
+bool Model::isSubtype(TypeId type, TypeId of) const {
+  while (type != of && type != kObjectType)
+    type = types[type].parent;
+  return type == of;
+}
+
+std::optional<Atom> Model::resolve(const GroundName& ground, std::string* why_not) const {
+  const auto fail = [&](const std::string& reason) -> std::optional<Atom> {
+    if (why_not != nullptr) *why_not = reason;
+    return std::nullopt;
+  };
+  // The message's cost (it looks for near names) falls on those who want it only.
+  const auto unknown = [&](const char* kind, const std::string& name,
+                           const std::unordered_map<std::string, int>& ids) {
+    return fail(why_not == nullptr ? std::string() : unknownName(kind, name, ids));
+  };
+  const std::optional<PredicateId> id = findPredicate(ground.name);
+  if (!id) return unknown("predicate", ground.name, predicate_ids_);
+  const Predicate& predicate = predicates[*id];
+  if (predicate.parameter_types.size() != ground.arguments.size()) {
+    return fail(wrongCount(predicate.name.spelling, predicate.parameter_types.size(),
+                           ground.arguments.size()));
+  }
+  Atom atom{*id, {}};
+  for (std::size_t i = 0; i < ground.arguments.size(); ++i) {
+    const std::optional<ObjectId> object = findObject(ground.arguments[i]);
+    if (!object) return unknown("object", ground.arguments[i], object_ids_);
+    const TypeId wanted = predicate.parameter_types[i];
+    if (!isSubtype(objects[*object].type, wanted)) {
+      return fail(wrongType(*this, objects[*object].name.spelling, objects[*object].type,
+                            predicate.name.spelling, wanted));
+    }
+    atom.objects.push_back(*object);
+  }
+  return atom;
+}
+
+GroundName Model::name(const Atom& atom) const {
+  GroundName ground{predicates[atom.predicate].name.name, {}};
+  for (const ObjectId object : atom.objects)
+    ground.arguments.push_back(objects[object].name.name);
+  return ground;
+}
+
+std::vector<Literal> Model::goalLiterals() const {
+  std::vector<Literal> literals;
+  for (const GoalLiteral& literal : goal)
+    literals.push_back({name(literal.atom), literal.negated});
+  return literals;
+}
+
+std::string Model::spelling(const GroundName& ground) const {
+  GroundName spelled = ground;
+  // An atom or an action: a name alone does not say which, and few domains use one for both.
+  if (const auto predicate = findPredicate(ground.name)) {
+    spelled.name = predicates[*predicate].name.spelling;
+  } else if (const auto schema = findSchema(ground.name)) {
+    spelled.name = schemas[*schema].name.spelling;
+  }
+  for (std::string& argument : spelled.arguments) {
+    if (const auto object = findObject(argument)) argument = objects[*object].name.spelling;
+  }
+  return spelled.text();
+}
+
+void Model::setGoal(const std::vector<Literal>& literals) {
+  // Resolved apart first: a literal that does not fit leaves the old goal as it was.
+  std::vector<GoalLiteral> linked;
+  for (const Literal& literal : literals) {
+    std::string why_not;
+    const std::optional<Atom> atom = resolve(literal.atom, &why_not);
+    if (!atom) {
+      throw SemanticError(problem_source, {}, "the goal " + literal.text() + ": " + why_not);
+    }
+    linked.push_back({*atom, literal.negated});
+  }
+  goal = std::move(linked);
+}
+
+}  // namespace goal_alignment::pddl

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "goal_alignment/pddl/ast.h"
+#include "goal_alignment/pddl/lexer.h"
+
+namespace goal_alignment::pddl {
+
+/// Walks over the tokens of one text with one token of look-ahead, and words the errors of whoever
+/// reads it. Its bound on nesting bounds the recursion of every reader built on it.
+class TokenReader {
+ public:
+  static constexpr std::size_t kDeepestNesting = 1000;
+
+  explicit TokenReader(const Source& source);
+
+  const Token& current() const { return current_; }
+  bool atOpen() const { return current_.kind == Token::Kind::Open; }
+  bool atClose() const { return current_.kind == Token::Kind::Close; }
+  bool atEnd() const { return current_.kind == Token::Kind::End; }
+  bool atWord() const { return current_.kind == Token::Kind::Word; }
+  /// At this word, in any case.
+  bool atWord(std::string_view lower_case) const;
+  /// At a word that can be the name of something: no `?x`, no `:keyword`, no `-` or `=`.
+  bool atName() const;
+  bool atVariable() const;
+
+  /// Each takes the current token, or throws SyntaxError: expected `what`, found the token.
+  SourcePosition open(const std::string& what = "'('");
+  SourcePosition close(const std::string& what = "')'");
+  Token word(const std::string& what);
+  Token word(std::string_view lower_case, const std::string& what);
+  ast::Name name(const std::string& what);
+  ast::Name variable(const std::string& what);
+  void finish();
+
+  /// What is being read, for UnsupportedError: `the precondition of action 'climb'`.
+  void setPlace(std::string place) { place_ = std::move(place); }
+
+  [[noreturn]] void failExpecting(const std::string& what, const std::string& hint = {}) const;
+  [[noreturn]] void fail(SourcePosition position, const std::string& message) const;
+  [[noreturn]] void failUnsupported(SourcePosition position, const std::string& construct) const;
+
+ private:
+  Token take();
+  std::string found() const;
+
+  const Source& source_;
+  Lexer lexer_;
+  Token current_;
+  std::vector<SourcePosition> open_;  ///< the parentheses that stand open, outermost first
+  std::string place_;
+};
+
+/// `3:14`, for a message that points at a second place.
+std::string toString(SourcePosition position);
+
+}  // namespace goal_alignment::pddl

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/pddl/lexer.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "unit/pddl/samples.h"
+
+namespace goal_alignment::pddl {
+namespace {
+
+using namespace std::string_literals;
+
+/// `text@line:column` of every token, End included.
+std::vector<std::string> tokens(const std::string& text) {
+  const Source source{"t", text};
+  Lexer lexer(source);
+  std::vector<std::string> seen;
+  for (;;) {
+    const Token token = lexer.next();
+    const bool end = token.kind == Token::Kind::End;
+    seen.push_back((end ? "<end>" : std::string(token.text)) + "@" +
+                   std::to_string(token.position.line) + ":" +
+                   std::to_string(token.position.column));
+    if (end) return seen;
+  }
+}
+
+using Tokens = std::vector<std::string>;
+
+TEST(Lexer, CutsWordsAndParentheses) {
+  EXPECT_EQ(tokens("(on ?x b-1)"),
+            (Tokens{"(@1:1", "on@1:2", "?x@1:5", "b-1@1:8", ")@1:11", "<end>@1:12"}));
+  EXPECT_EQ(tokens("a(b)c"), (Tokens{"a@1:1", "(@1:2", "b@1:3", ")@1:4", "c@1:5", "<end>@1:6"}));
+}
+
+TEST(Lexer, CountsLinesWhateverEndsThem) {
+  EXPECT_EQ(tokens("a\nb\r\nc\rd\n\n\te"),
+            (Tokens{"a@1:1", "b@2:1", "c@3:1", "d@4:1", "e@6:2", "<end>@6:3"}));
+}
+
+TEST(Lexer, SkipsCommentsUpToTheLinesEnd) {
+  EXPECT_EQ(tokens("a;b (c\nd;"), (Tokens{"a@1:1", "d@2:1", "<end>@2:3"}));
+  EXPECT_EQ(tokens(";x\r\nd"), (Tokens{"d@2:1", "<end>@2:2"}));
+  EXPECT_EQ(tokens("; \xC3\xA9\na"), (Tokens{"a@2:1", "<end>@2:2"})) << "any text in a comment";
+}
+
+TEST(Lexer, SkipsAByteOrderMark) {
+  EXPECT_EQ(tokens("\xEF\xBB\xBF(a"), (Tokens{"(@1:1", "a@1:2", "<end>@1:3"}));
+}
+
+TEST(Lexer, AnEmptyTextEndsAtOnceAndForEver) {
+  EXPECT_EQ(tokens(""), Tokens{"<end>@1:1"});
+  const Source source{"t", " "};
+  Lexer lexer(source);
+  EXPECT_EQ(lexer.next().kind, Token::Kind::End);
+  EXPECT_EQ(lexer.next().kind, Token::Kind::End);
+}
+
+TEST(Lexer, NamesTheByteThatNoPddlHolds) {
+  const auto error = [](const std::string& text) {
+    return samples::errorOf<SyntaxError>([&] { tokens(text); });
+  };
+  EXPECT_EQ(error("(a\n \0)"s), "t:2:2: expected PDDL text, found the byte 0x00");
+  EXPECT_EQ(error("; \0"s), "t:1:3: expected PDDL text, found the byte 0x00");
+  EXPECT_EQ(error("\xFF\xFE("), "t:1:1: expected PDDL text, found the byte 0xff");
+  EXPECT_EQ(error("caf\xC3\xA9"), "t:1:4: expected PDDL text, found the byte 0xc3");
+  EXPECT_EQ(error("a\x7f"), "t:1:2: expected PDDL text, found the byte 0x7f");
+}
+
+}  // namespace
+}  // namespace goal_alignment::pddl

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "unit/pddl/samples.h"
+
+namespace goal_alignment::pddl {
+namespace {
+
+/// Good PDDL beyond what we treat: refused with its name and place, never misread.
+struct Refused {
+  std::string text;
+  std::string message;  ///< after `x.pddl:line:column: not supported yet: `
+  std::string position;
+};
+
+void PrintTo(const Refused& refused, std::ostream* out) {
+  *out << refused.text;
+}
+
+std::string expected(const std::string& file, const Refused& refused) {
+  return file + ":" + refused.position + ": not supported yet: " + refused.message;
+}
+
+class RefusedInAction : public testing::TestWithParam<Refused> {};
+
+TEST_P(RefusedInAction, IsNamedWithItsPlace) {
+  const std::string domain = "(define (domain d)\n(:action go\n" + GetParam().text + "))";
+  EXPECT_EQ(samples::domainError<UnsupportedError>(domain), expected("d.pddl", GetParam()));
+}
+
+const std::string kInPrecondition = ", at the precondition of action 'go'";
+const std::string kInEffect = ", at the effect of action 'go'";
+
+INSTANTIATE_TEST_SUITE_P(
+    Preconditions, RefusedInAction,
+    testing::Values(
+        Refused{":precondition (or (p) (q))", "'or' (a disjunction)" + kInPrecondition, "3:16"},
+        Refused{":precondition (and (p) (OR (q)))", "'or' (a disjunction)" + kInPrecondition,
+                "3:25"},
+        Refused{":precondition (imply (p) (q))", "'imply' (an implication)" + kInPrecondition,
+                "3:16"},
+        Refused{":precondition (forall (?x) (p ?x))",
+                "'forall' (a universal quantifier)" + kInPrecondition, "3:16"},
+        Refused{":precondition (exists (?x) (p ?x))",
+                "'exists' (an existential quantifier)" + kInPrecondition, "3:16"},
+        Refused{":precondition (not (or (p)))", "'or' (a disjunction)" + kInPrecondition, "3:21"},
+        Refused{":precondition (not (and (p) (q)))", "'not' over 'and'" + kInPrecondition, "3:21"},
+        Refused{":precondition (not (not (p)))", "'not' over 'not'" + kInPrecondition, "3:21"},
+        Refused{":precondition (preference a (p))", "'preference' (a soft goal)" + kInPrecondition,
+                "3:16"},
+        Refused{":precondition (>= (fuel ?x) 3)", "'>=' (a numeric condition)" + kInPrecondition,
+                "3:16"},
+        Refused{":precondition (< 3 (fuel ?x))", "'<' (a numeric condition)" + kInPrecondition,
+                "3:16"},
+        Refused{":precondition (= (fuel ?x) 3)",
+                "'=' over functions (a numeric or object fluent)" + kInPrecondition, "3:16"},
+        Refused{":parameters (?x - (either a b))",
+                "'either' (a union of types), at the parameters of action 'go'", "3:20"},
+        Refused{":vars (?x)", "':vars' (variables beside parameters), at action 'go'", "3:1"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Effects, RefusedInAction,
+    testing::Values(
+        Refused{":effect (when (p) (q))", "'when' (a conditional effect)" + kInEffect, "3:10"},
+        Refused{":effect (and (p) (when (p) (q)))", "'when' (a conditional effect)" + kInEffect,
+                "3:19"},
+        Refused{":effect (forall (?x) (p ?x))", "'forall' (a universal quantifier)" + kInEffect,
+                "3:10"},
+        Refused{":effect (decrease (fuel) 1)", "'decrease' (a numeric effect)" + kInEffect, "3:10"},
+        Refused{":effect (assign (fuel) 1)", "'assign' (a numeric effect)" + kInEffect, "3:10"},
+        Refused{":effect (scale-up (fuel) 1)", "'scale-up' (a numeric effect)" + kInEffect, "3:10"},
+        Refused{":effect (oneof (p) (q))", "'oneof' (a nondeterministic effect)" + kInEffect,
+                "3:10"},
+        Refused{":effect (increase (fuel ?x) 1)",
+                "'increase' of 'fuel' (a numeric fluent)" + kInEffect, "3:20"},
+        Refused{":effect (increase (total-cost) 2.5)", "fractional action cost '2.5'" + kInEffect,
+                "3:32"},
+        Refused{":effect (increase (total-cost) (+ 1 2))",
+                "arithmetic in an action cost" + kInEffect, "3:33"},
+        Refused{":effect (increase (total-cost) (total-cost))",
+                "'total-cost' as an action cost" + kInEffect, "3:33"},
+        Refused{":effect (and (increase (total-cost) 1) (increase (total-cost) 1))",
+                "a second cost of one action" + kInEffect, "3:41"}));
+
+class RefusedInDomain : public testing::TestWithParam<Refused> {};
+
+TEST_P(RefusedInDomain, IsNamedWithItsPlace) {
+  const std::string domain = "(define (domain d)\n" + GetParam().text + ")";
+  EXPECT_EQ(samples::domainError<UnsupportedError>(domain), expected("d.pddl", GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sections, RefusedInDomain,
+    testing::Values(Refused{"(:durative-action a)", "':durative-action', at domain 'd'", "2:2"},
+                    Refused{"(:derived (p) (q))", "':derived', at domain 'd'", "2:2"},
+                    Refused{"(:Axiom a)", "':axiom', at domain 'd'", "2:2"},
+                    Refused{"(:constraints (and))", "':constraints', at domain 'd'", "2:2"},
+                    Refused{"(:process a)", "':process', at domain 'd'", "2:2"},
+                    Refused{"(:event a)", "':event', at domain 'd'", "2:2"},
+                    Refused{"(:types a - (either b c))", "'either' (a union of types), at :types",
+                            "2:14"},
+                    Refused{"(:constants a - (either b c))",
+                            "'either' (a union of types), at :constants", "2:18"},
+                    Refused{"(:predicates (p ?x - (either b c)))",
+                            "'either' (a union of types), at :predicates", "2:23"},
+                    Refused{"(:functions (loc ?x) - place)",
+                            "a function to 'place' (an object fluent), at :functions", "2:24"}));
+
+class RefusedInProblem : public testing::TestWithParam<Refused> {};
+
+TEST_P(RefusedInProblem, IsNamedWithItsPlace) {
+  const std::string problem = "(define (problem p) (:domain d)\n" + GetParam().text + ")";
+  EXPECT_EQ(samples::problemError<UnsupportedError>(problem), expected("p.pddl", GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sections, RefusedInProblem,
+    testing::Values(
+        Refused{"(:goal (or (p) (q)))", "'or' (a disjunction), at :goal", "2:9"},
+        Refused{"(:goal (forall (?x) (p ?x)))", "'forall' (a universal quantifier), at :goal",
+                "2:9"},
+        Refused{"(:goal (preference a (p)))", "'preference' (a soft goal), at :goal", "2:9"},
+        Refused{"(:goal (> (f) 1))", "'>' (a numeric condition), at :goal", "2:9"},
+        Refused{"(:init (at 5 (p)))", "a timed initial literal, at :init", "2:9"},
+        Refused{"(:init (AT 5.5 (not (p))))", "a timed initial literal, at :init", "2:9"},
+        Refused{"(:init (= (loc a) b))", "a function to an object (an object fluent), at :init",
+                "2:9"},
+        Refused{"(:init (= (f a) 2.5))", "fractional action cost '2.5', at :init", "2:17"},
+        Refused{"(:init (and (p)))", "'and' (list the facts themselves), at :init", "2:9"},
+        Refused{"(:init (or (p) (q)))", "'or' (a disjunction), at :init", "2:9"},
+        Refused{"(:init (oneof (p) (q)))", "'oneof' (a nondeterministic effect), at :init", "2:9"},
+        Refused{"(:metric maximize (total-cost))", "'maximize', at :metric", "2:10"},
+        Refused{"(:metric minimize (total-time))", "minimising 'total-time', at :metric", "2:20"},
+        Refused{"(:metric minimize (+ (total-cost) 1))", "minimising '+', at :metric", "2:20"},
+        Refused{"(:constraints (and))", "':constraints', at problem 'p'", "2:2"},
+        Refused{"(:length (:serial 5))", "':length', at problem 'p'", "2:2"}));
+
+}  // namespace
+}  // namespace goal_alignment::pddl
