@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/limits.h"
+#include "goal_alignment/pddl/model.h"
+#include "goal_alignment/task/task.h"
+
+/// pddl ast → task. How names change between the layers:
+///
+///     text / ast            lifted model (ids)             grounded task
+///     ------------------    ---------------------------    ------------------------------
+///     Predicate, Atom       PredicateId, LiftedAtom        –
+///     object, constant      ObjectId                       –
+///     Action                Schema                         Operator, one per instantiation
+///     atom in :init         Atom in Model::init            FactId in Task::initial, or AlwaysTrue
+///     (p ?x) in a           LiftedLiteral                  FactId, dropped when AlwaysTrue
+///     precondition
+///     (not (p ?x))          LiftedLiteral, negated         FactId of the complementary fact
+///     (= ?x ?y)             Equality                       – (decided while joining)
+///     total-cost            constant_cost, function_cost   Operator::cost
+namespace goal_alignment::grounding {
+
+/// What a literal is for a grounded task.
+struct FactStatus {
+  enum class Kind : std::uint8_t {
+    Variable,    ///< it is the fact `fact`
+    AlwaysTrue,  ///< in every reachable state
+    NeverTrue,   ///< in no reachable state, even without deletes (proven)
+    Unknown,     ///< the model has no such predicate, object, arity or type: never true either
+  };
+  Kind kind = Kind::NeverTrue;
+  task::FactId fact = 0;
+};
+
+struct Options {
+  bool unit_costs = true;
+};
+
+/// A task and how its facts are called. Refers to the model it was grounded from.
+class GroundTask {
+ public:
+  task::Task task;
+
+  /// What the literal is here. A negated literal is a Variable only where an operator or `literals`
+  /// of ground() named it; ask only for those. O(length of its name).
+  FactStatus status(const Literal& literal) const;
+
+ private:
+  friend class TaskBuilder;
+
+  struct AtomStatus {
+    FactStatus positive;
+    FactStatus negative;
+  };
+
+  const pddl::Model* model_ = nullptr;
+  std::unordered_map<pddl::Atom, AtomStatus, pddl::AtomHash> atoms_;  // the relaxed reachable ones
+};
+
+/// Grounds by relaxed reachability. `literals` are goals that will be asked for: negated ones among
+/// them get a complementary fact. Facts that never change are no part of the task. The model must
+/// outlive the result.
+///
+/// Time and memory are proportional to the relaxed reachable part (see relaxed_reachability.h).
+/// Throws LimitReached; pddl::SemanticError where an action's cost is undefined.
+GroundTask ground(const pddl::Model& model, const std::vector<Literal>& literals,
+                  const Options& options, const Limits& limits);
+
+}  // namespace goal_alignment::grounding

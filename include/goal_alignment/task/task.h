@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "goal_alignment/common/ground_name.h"
+
+/// The grounded task: propositional STRIPS with positive preconditions (negative ones are compiled
+/// into complementary facts by the grounding floor) and non-negative whole costs.
+namespace goal_alignment::task {
+
+using FactId = std::uint32_t;
+using OperatorId = std::uint32_t;
+using Cost = std::int64_t;
+
+/// A conjunction of facts, sorted, without duplicates.
+using FactSet = std::vector<FactId>;
+
+/// One ground action. add and del are disjoint: where an action does both, the add wins.
+struct Operator {
+  GroundName name;
+  FactSet precondition;
+  FactSet add;
+  FactSet del;
+  Cost cost = 1;
+};
+
+/// Facts, operators and an initial state. Goals are no part of it: one task serves many goal sets.
+struct Task {
+  std::vector<Literal> facts;  ///< by FactId; negated: a complementary fact
+  std::vector<Operator> operators;
+  FactSet initial;
+};
+
+/// Operators in the order of their execution.
+using Plan = std::vector<OperatorId>;
+
+/// Sum of the operators' costs.
+Cost cost(const Task& task, const Plan& plan);
+
+/// The operators' names, in order.
+std::vector<GroundName> names(const Task& task, const Plan& plan);
+
+/// Sorts and removes duplicates.
+FactSet makeFactSet(std::vector<FactId> facts);
+
+}  // namespace goal_alignment::task

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/task/task.h"
+
+#include <algorithm>
+
+#include "goal_alignment/task/state.h"
+
+namespace goal_alignment::task {
+
+Cost cost(const Task& task, const Plan& plan) {
+  Cost total = 0;
+  for (const OperatorId op : plan)
+    total += task.operators[op].cost;
+  return total;
+}
+
+std::vector<GroundName> names(const Task& task, const Plan& plan) {
+  std::vector<GroundName> result;
+  result.reserve(plan.size());
+  for (const OperatorId op : plan)
+    result.push_back(task.operators[op].name);
+  return result;
+}
+
+FactSet makeFactSet(std::vector<FactId> facts) {
+  std::sort(facts.begin(), facts.end());
+  facts.erase(std::unique(facts.begin(), facts.end()), facts.end());
+  return facts;
+}
+
+State initialState(const Task& task) {
+  State state(wordsFor(task.facts.size()), 0);
+  for (const FactId fact : task.initial)
+    setBit(state.data(), fact);
+  return state;
+}
+
+}  // namespace goal_alignment::task
