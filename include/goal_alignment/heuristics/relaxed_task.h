@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "goal_alignment/task/task.h"
+
+namespace goal_alignment::heuristics {
+
+constexpr task::Cost kInfinity = std::numeric_limits<task::Cost>::max();
+
+/// Rows of small integers side by side in one array.
+class Rows {
+ public:
+  /// Row i holds what `rows[i]` held.
+  explicit Rows(const std::vector<std::vector<std::uint32_t>>& rows = {});
+
+  struct Row {
+    const std::uint32_t* first;
+    const std::uint32_t* last;
+    const std::uint32_t* begin() const { return first; }
+    const std::uint32_t* end() const { return last; }
+  };
+  Row operator[](std::size_t i) const {
+    return {values_.data() + starts_[i], values_.data() + starts_[i + 1]};
+  }
+  std::size_t size(std::size_t i) const { return starts_[i + 1] - starts_[i]; }
+
+ private:
+  std::vector<std::uint32_t> starts_;
+  std::vector<std::uint32_t> values_;
+};
+
+/// The task without deletes, for one goal, with what is irrelevant to the goal left out.
+///
+/// Facts keep their FactId; two are added: `goal_fact`, made true by `goal_operator` (cost 0) from
+/// the goal's facts, and `true_fact`, which holds always and stands in for empty preconditions, so
+/// that every operator has a precondition.
+struct RelaxedTask {
+  RelaxedTask(const task::Task& task, const task::FactSet& goal);
+
+  std::size_t fact_count = 0;      ///< with the two artificial ones
+  std::size_t operator_count = 0;  ///< relevant ones and goal_operator
+  task::FactId true_fact = 0;
+  task::FactId goal_fact = 0;
+  std::uint32_t goal_operator = 0;
+  std::vector<task::OperatorId> origin;  ///< the task's operator, but for goal_operator
+  std::vector<task::Cost> cost;
+  Rows preconditions;    ///< operator → facts
+  Rows effects;          ///< operator → facts
+  Rows precondition_of;  ///< fact → operators
+  Rows effect_of;        ///< fact → operators
+};
+
+}  // namespace goal_alignment::heuristics
