@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "goal_alignment/search/state_registry.h"
+#include "goal_alignment/task/task.h"
+
+namespace goal_alignment::search {
+
+/// The states a search has met, and the way to each.
+class SearchSpace {
+ public:
+  explicit SearchSpace(const task::Task& task);
+
+  /// The initial state's id is 0; it is there from the start.
+  static constexpr StateId kInitial = 0;
+
+  /// Applies the operator in state `from`. New states are reached through it; known ones keep their
+  /// way.
+  std::pair<StateId, bool> insertSuccessor(StateId from, task::OperatorId op);
+
+  /// insertSuccessor() for each operator, in order, with visit(id, is_new, operator); false from
+  /// visit ends it. Faster than one by one: the table's cache misses overlap.
+  template <typename Visit>
+  bool insertSuccessors(StateId from, const std::vector<task::OperatorId>& operators,
+                        Visit&& visit) {
+    const std::size_t words = registry_.words();
+    batch_.resize(operators.size() * words);
+    hashes_.resize(operators.size());
+    for (std::size_t i = 0; i < operators.size(); ++i) {
+      task::Word* successor = batch_.data() + i * words;
+      task::apply(task_.operators[operators[i]], registry_[from], words, successor);
+      hashes_[i] = registry_.hash(successor);
+      registry_.prefetch(hashes_[i]);
+    }
+    for (std::size_t i = 0; i < operators.size(); ++i) {
+      const auto [id, is_new] = registry_.insert(batch_.data() + i * words, hashes_[i]);
+      if (is_new) ways_.push_back({from, operators[i]});
+      if (!visit(id, is_new, operators[i])) return false;
+    }
+    return true;
+  }
+
+  /// The way to the state becomes this one.
+  void setWay(StateId id, StateId parent, task::OperatorId op) { ways_[id] = {parent, op}; }
+
+  const task::Word* state(StateId id) const { return registry_[id]; }
+  std::size_t size() const { return registry_.size(); }
+  std::size_t bytes() const { return registry_.bytes() + ways_.capacity() * sizeof(Way); }
+
+  /// The operators from the initial state to this one.
+  task::Plan plan(StateId id) const;
+
+ private:
+  struct Way {
+    StateId parent;
+    task::OperatorId op;
+  };
+
+  const task::Task& task_;
+  StateRegistry registry_;
+  std::vector<Way> ways_;
+  std::vector<task::Word> successor_;
+  std::vector<task::Word> batch_;
+  std::vector<StateRegistry::Hash> hashes_;
+};
+
+}  // namespace goal_alignment::search
