@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "goal_alignment/achievability/achieved_sets.h"
+#include "goal_alignment/achievability/candidate_set.h"
+#include "goal_alignment/achievability/conflict_set.h"
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/limits.h"
+#include "goal_alignment/grounding/grounder.h"
+#include "goal_alignment/heuristics/mutexes.h"
+#include "goal_alignment/search/result.h"
+#include "goal_alignment/search/successor_generator.h"
+#include "goal_alignment/task/task.h"
+
+/// One robot task, many goal sets: which candidates can be had together with the specified goal?
+namespace goal_alignment::achievability {
+
+enum class Verdict : std::uint8_t {
+  Achievable,    ///< with a plan
+  Unachievable,  ///< proven
+  Unknown,       ///< a limit was reached; nothing is proven
+};
+
+struct Check {
+  Verdict verdict = Verdict::Unknown;
+  task::Plan plan;                        ///< with Achievable
+  LimitReason limit = LimitReason::None;  ///< with Unknown
+};
+
+/// How much work each kind of search may do, in generated states.
+struct SearchBudget {
+  std::uint64_t first_greedy = 20'000;    ///< before the exhaustive search is tried
+  std::uint64_t exhaustive = 60'000'000;  ///< once a task
+  std::uint64_t second_greedy = 200'000;  ///< after it did not finish
+};
+
+/// Remembers every set achieved and every conflict, so that what they imply needs no search.
+class Achievability {
+ public:
+  /// Classifies the candidates and finds the conflicts of stages 1 (relaxed reachability, unknown
+  /// names) and 2 (h² mutexes). `robot` must have been grounded with `specified` and `candidates`.
+  /// Throws LimitReached.
+  Achievability(const grounding::GroundTask& robot, const std::vector<Literal>& specified,
+                const std::vector<Literal>& candidates, const SearchBudget& budget,
+                const Limits& limits);
+
+  /// Stage 0: a sequence of ground actions known to run; every state on the way that satisfies the
+  /// specified goal is an achieved set.
+  void recordExecution(const std::vector<GroundName>& actions);
+
+  /// Can all of `set` be had together with the specified goal? Answers from memory where it can,
+  /// else searches: greedily, then exhaustively (stage 3, at most once), then greedily again.
+  Check check(const CandidateSet& set, const Limits& limits);
+
+  /// Can the candidate be had at all, without the specified goal (the paper's F̂)?
+  Verdict reachableAlone(std::size_t candidate, const Limits& limits);
+
+  /// A plan for the set that no plan undercuts in cost; Unknown where the limits end the search.
+  search::Result optimalPlan(const CandidateSet& set, const Limits& limits);
+
+  /// Finds all minimal conflicts. True: complete. Sets that a limit left open become suspected
+  /// conflicts. Resumable: what is known is kept.
+  bool findAllConflicts(const Limits& limits);
+
+  /// All minimal conflicts are known, each proven.
+  bool complete() const { return complete_; }
+
+  /// Records that the limits left the set open.
+  void suspect(const CandidateSet& set);
+
+  const std::vector<Conflict>& conflicts() const { return conflicts_.all(); }
+  /// A proven conflict within the set, or null.
+  const Conflict* provenConflictWithin(const CandidateSet& set) const {
+    return conflicts_.provenWithin(set);
+  }
+  const std::vector<AchievedSets::Achieved>& achieved() const { return achieved_.all(); }
+
+  /// True in every state the robot can reach: settled without a word.
+  const CandidateSet& alwaysTrue() const { return always_true_; }
+
+  const task::Task& task() const { return task_; }
+  std::size_t candidateCount() const { return facts_.size(); }
+  std::size_t plannerCalls() const { return planner_calls_; }
+
+ private:
+  static constexpr task::FactId kNoFact = static_cast<task::FactId>(-1);
+
+  void classify(const grounding::GroundTask& robot, const std::vector<Literal>& specified,
+                const std::vector<Literal>& candidates);
+  void findMutexConflicts(const heuristics::MutexTable& mutexes);
+  void addConflict(std::vector<std::size_t> candidates);
+  CandidateSet satisfied(const task::Word* state) const;
+  task::FactSet goalFacts(const CandidateSet& set) const;
+  void recordPlan(const task::Plan& plan);
+  std::optional<Check> recall(const CandidateSet& set) const;
+  std::optional<Check> searchGreedily(const CandidateSet& set, const Limits& limits, Check& last);
+  LimitReason exhaust(const Limits& limits);
+  void addUnachievable(const CandidateSet& set, const Limits& limits);
+  bool provenUnachievable(const CandidateSet& set, const Limits& limits);
+  std::optional<CandidateSet> nextOpenSet(bool& too_many);
+
+  SearchBudget budget_;
+  task::Task task_;  // without the operators that mutexes rule out
+  std::optional<search::SuccessorGenerator> successors_;
+  task::FactSet specified_;          // the specified goal, without what is always true
+  std::vector<task::FactId> facts_;  // by candidate; kNoFact: always or never true
+  CandidateSet always_true_;
+  CandidateSet never_true_;
+  CandidateSet reached_;  // candidates seen true in some reachable state
+  ConflictSet conflicts_;
+  AchievedSets achieved_;
+  bool exhaustive_tried_ = false;
+  bool exhaustive_complete_ = false;
+  bool complete_ = false;
+  std::size_t planner_calls_ = 0;
+};
+
+}  // namespace goal_alignment::achievability

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/achievability/achievability.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include "goal_alignment/search/astar.h"
+#include "goal_alignment/search/greedy.h"
+#include "goal_alignment/task/state.h"
+
+namespace goal_alignment::achievability {
+
+using grounding::FactStatus;
+using task::FactId;
+using task::FactSet;
+
+Achievability::Achievability(const grounding::GroundTask& robot,
+                             const std::vector<Literal>& specified,
+                             const std::vector<Literal>& candidates, const SearchBudget& budget,
+                             const Limits& limits)
+    : budget_(budget),
+      task_(robot.task),
+      facts_(candidates.size(), kNoFact),
+      always_true_(candidates.size()),
+      never_true_(candidates.size()),
+      reached_(candidates.size()),
+      conflicts_(candidates.size()) {
+  classify(robot, specified, candidates);
+  const heuristics::MutexTable mutexes(task_, limits);
+  findMutexConflicts(mutexes);
+
+  std::vector<task::Operator> applicable;
+  for (task::OperatorId op = 0; op < task_.operators.size(); ++op) {
+    if (mutexes.applicableOperators()[op]) applicable.push_back(std::move(task_.operators[op]));
+  }
+  task_.operators = std::move(applicable);
+  successors_.emplace(task_);
+}
+
+void Achievability::classify(const grounding::GroundTask& robot,
+                             const std::vector<Literal>& specified,
+                             const std::vector<Literal>& candidates) {
+  using Kind = FactStatus::Kind;
+  for (const Literal& literal : specified) {
+    const FactStatus status = robot.status(literal);
+    if (status.kind == Kind::Variable) specified_.push_back(status.fact);
+    if (status.kind == Kind::NeverTrue || status.kind == Kind::Unknown) addConflict({});
+  }
+  specified_ = task::makeFactSet(std::move(specified_));
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const FactStatus status = robot.status(candidates[i]);
+    if (status.kind == Kind::Variable) {
+      facts_[i] = status.fact;
+    } else if (status.kind == Kind::AlwaysTrue) {
+      always_true_.set(i);
+      reached_.set(i);
+    } else {
+      never_true_.set(i);
+      addConflict({i});
+    }
+  }
+}
+
+void Achievability::addConflict(std::vector<std::size_t> candidates) {
+  Conflict conflict;
+  conflict.members.resize(facts_.size());
+  for (const std::size_t candidate : candidates)
+    conflict.members.set(candidate);
+  // Stages 1 and 2 add the empty conflict, then single candidates, then pairs: what is not dropped
+  // as a superset of an earlier one is minimal as far as these stages see. A pair could still hide
+  // an unachievable single candidate; findAllConflicts() settles that.
+  conflict.minimal = candidates.empty();
+  conflicts_.add(conflict);
+}
+
+void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
+  if (mutexes.contains(specified_)) addConflict({});
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < facts_.size(); ++i) {
+    if (facts_[i] == kNoFact) continue;
+    if (mutexes.mutex(facts_[i], facts_[i])) never_true_.set(i);
+    FactSet with_goal = specified_;
+    with_goal.push_back(facts_[i]);
+    if (mutexes.contains(with_goal)) {
+      addConflict({i});
+    } else {
+      open.push_back(i);
+    }
+  }
+  for (std::size_t a = 0; a < open.size(); ++a) {
+    for (std::size_t b = a + 1; b < open.size(); ++b) {
+      if (mutexes.mutex(facts_[open[a]], facts_[open[b]])) addConflict({open[a], open[b]});
+    }
+  }
+}
+
+CandidateSet Achievability::satisfied(const task::Word* state) const {
+  CandidateSet set = always_true_;
+  for (std::size_t i = 0; i < facts_.size(); ++i) {
+    if (facts_[i] != kNoFact && task::testBit(state, facts_[i])) set.set(i);
+  }
+  return set;
+}
+
+FactSet Achievability::goalFacts(const CandidateSet& set) const {
+  FactSet goal = specified_;
+  for (const std::size_t candidate : members(set)) {
+    if (facts_[candidate] != kNoFact) goal.push_back(facts_[candidate]);
+  }
+  return task::makeFactSet(std::move(goal));
+}
+
+void Achievability::recordPlan(const task::Plan& plan) {
+  task::State state = task::initialState(task_);
+  for (std::size_t step = 0;; ++step) {
+    const CandidateSet now = satisfied(state.data());
+    reached_ |= now;
+    if (task::contains(state.data(), specified_)) {
+      achieved_.add(now, {plan.begin(), plan.begin() + static_cast<std::ptrdiff_t>(step)});
+      conflicts_.clearSuspectedWithin(now);
+    }
+    if (step == plan.size()) break;
+    task::apply(task_.operators[plan[step]], state.data(), state.size(), state.data());
+  }
+}
+
+void Achievability::recordExecution(const std::vector<GroundName>& actions) {
+  std::unordered_map<GroundName, task::OperatorId> ids;
+  for (task::OperatorId op = 0; op < task_.operators.size(); ++op) {
+    ids.emplace(task_.operators[op].name, op);
+  }
+  task::Plan plan;
+  for (const GroundName& action : actions) {
+    const auto found = ids.find(action);
+    // Grounding leaves out operators that change nothing: the state is the same without them.
+    if (found != ids.end()) plan.push_back(found->second);
+  }
+  recordPlan(plan);
+}
+
+std::optional<Check> Achievability::recall(const CandidateSet& set) const {
+  if (conflicts_.provenWithin(set) != nullptr) return Check{Verdict::Unachievable, {}, {}};
+  if (const auto* achieved = achieved_.covering(set)) {
+    return Check{Verdict::Achievable, achieved->plan, {}};
+  }
+  return std::nullopt;
+}
+
+Check Achievability::check(const CandidateSet& set, const Limits& limits) {
+  if (const auto known = recall(set)) return *known;
+  Check last;
+  if (!exhaustive_tried_) {
+    if (const auto found = searchGreedily(set, limits.withStates(budget_.first_greedy), last)) {
+      return *found;
+    }
+    last.limit = exhaust(limits);
+    if (const auto known = recall(set)) return *known;
+  }
+  if (exhaustive_complete_) {
+    addUnachievable(set, limits);
+    return {Verdict::Unachievable, {}, {}};
+  }
+  if (last.limit != LimitReason::Cancelled && last.limit != LimitReason::Time) {
+    const Limits second = limits.withStates(budget_.second_greedy);
+    if (const auto found = searchGreedily(set, second, last)) return *found;
+  }
+  return last;
+}
+
+std::optional<Check> Achievability::searchGreedily(const CandidateSet& set, const Limits& limits,
+                                                   Check& last) {
+  ++planner_calls_;
+  const search::Result result = search::greedy(task_, *successors_, goalFacts(set), limits);
+  if (result.status == search::Status::Solved) {
+    recordPlan(result.plan);
+    return Check{Verdict::Achievable, result.plan, {}};
+  }
+  if (result.status == search::Status::Unsolvable) {
+    addUnachievable(set, limits);
+    return Check{Verdict::Unachievable, {}, {}};
+  }
+  last = {Verdict::Unknown, {}, result.limit};
+  return std::nullopt;
+}
+
+search::Result Achievability::optimalPlan(const CandidateSet& set, const Limits& limits) {
+  ++planner_calls_;
+  return search::astar(task_, *successors_, goalFacts(set), limits);
+}
+
+Verdict Achievability::reachableAlone(std::size_t candidate, const Limits& limits) {
+  if (reached_.test(candidate)) return Verdict::Achievable;
+  if (never_true_.test(candidate) || exhaustive_complete_) return Verdict::Unachievable;
+  ++planner_calls_;
+  const search::Result result = search::greedy(task_, *successors_, {facts_[candidate]},
+                                               limits.withStates(budget_.second_greedy));
+  if (result.status == search::Status::Solved) {
+    recordPlan(result.plan);
+    return Verdict::Achievable;
+  }
+  if (result.status == search::Status::LimitReached) return Verdict::Unknown;
+  never_true_.set(candidate);
+  return Verdict::Unachievable;
+}
+
+}  // namespace goal_alignment::achievability
