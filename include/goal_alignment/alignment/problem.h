@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "goal_alignment/common/exceptions.h"
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/pddl/model.h"
+#include "goal_alignment/validation/execution.h"
+
+/// The HAGL problem of goal-alignment.tex, Definition 2, without its oracle: what there is to ask
+/// about.
+namespace goal_alignment::alignment {
+
+/// The two problem files state different goals.
+class GoalsDiffer : public Exception {
+ public:
+  using Exception::Exception;
+};
+
+/// A step of π^H can't be executed in the human model.
+class HumanPlanInvalid : public Exception {
+ public:
+  HumanPlanInvalid(const validation::Violation& violation);
+  std::size_t step() const noexcept { return step_; }
+
+ private:
+  std::size_t step_;
+};
+
+/// S^H does not satisfy G^H.
+class GoalNotExpected : public Exception {
+ public:
+  GoalNotExpected(const std::vector<Literal>& missing, bool plan_is_empty);
+  const std::vector<Literal>& missing() const noexcept { return missing_; }
+
+ private:
+  std::vector<Literal> missing_;
+};
+
+/// A fluent of S^H \ G^H: the person may want it, and nobody knows yet.
+struct Candidate {
+  Literal fluent;
+  bool is_static = false;  ///< no action of either model adds or deletes its predicate
+};
+
+struct Problem {
+  pddl::Model robot;
+  pddl::Model human;
+  std::vector<Literal> specified;      ///< G^H, sorted
+  std::vector<GroundName> human_plan;  ///< π^H
+  validation::Execution expectation;   ///< π^H executed in the human model; its last state is S^H
+  std::vector<Candidate> candidates;   ///< sorted by fluent
+};
+
+/// Puts the problem together: G^H is `goal`, or that of the problem files where it is empty; S^H is
+/// where π^H leads in the human model. Throws GoalsDiffer, HumanPlanInvalid, GoalNotExpected and
+/// pddl::SemanticError (a goal that the human model can't name).
+/// O(size of the models + sum of the states on the way).
+Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Literal>& goal,
+                    std::vector<GroundName> human_plan);
+
+}  // namespace goal_alignment::alignment

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "goal_alignment/achievability/achievability.h"
+#include "goal_alignment/alignment/problem.h"
+#include "goal_alignment/common/limits.h"
+
+namespace goal_alignment::alignment {
+
+/// The problem seen from the robot: what it can achieve of S^H, and how far π^H carries it.
+struct RobotSide {
+  std::unique_ptr<achievability::Achievability> achievability;
+  bool human_plan_runs = false;      ///< to its end
+  std::string human_plan_violation;  ///< one sentence on the first step that does not run, or empty
+};
+
+/// Grounds the robot's model, finds the conflicts of stages 0 to 2. Throws LimitReached and
+/// pddl::SemanticError (an action without a cost).
+RobotSide makeRobotSide(const Problem& problem, bool unit_costs,
+                        const achievability::SearchBudget& budget, const Limits& limits);
+
+}  // namespace goal_alignment::alignment

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/alignment/beliefs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "goal_alignment/common/exceptions.h"
+#include "goal_alignment/grounding/grounder.h"
+#include "goal_alignment/search/astar.h"
+
+namespace goal_alignment::alignment {
+
+using grounding::FactStatus;
+using task::Cost;
+
+namespace {
+
+constexpr double kLeastBelief = 0.02;
+constexpr double kMostBelief = 0.98;
+
+/// exp(−β·Δ), all divided by the largest, so that large differences don't vanish together.
+std::vector<double> weights(const std::vector<double>& differences, double beta) {
+  std::vector<double> result(differences.size(), 0);
+  if (differences.empty()) return result;
+  const double least = *std::min_element(differences.begin(), differences.end());
+  std::transform(differences.begin(), differences.end(), result.begin(),
+                 [=](double difference) { return std::exp(-beta * (difference - least)); });
+  return result;
+}
+
+/// Costs of the prefixes of π^H, the empty one first.
+std::vector<Cost> prefixCosts(const Problem& problem, bool unit_costs) {
+  std::vector<Cost> costs;
+  for (std::size_t i = 0; i < problem.expectation.states.size(); ++i) {
+    costs.push_back(unit_costs ? static_cast<Cost>(i) : problem.expectation.costs[i]);
+  }
+  return costs;
+}
+
+/// The optimal costs of G^H and one fact more in the human model, each fact searched for once.
+class HumanCosts {
+ public:
+  HumanCosts(const Problem& problem, bool unit_costs, const Limits& limits, std::uint64_t states)
+      : problem_(problem),
+        prefix_costs_(prefixCosts(problem, unit_costs)),
+        human_(grounding::ground(problem.human, problem.specified, {unit_costs}, limits)),
+        successors_(human_.task),
+        search_limits_(limits.withStates(states)) {
+    for (const Literal& literal : problem.specified) {
+      const FactStatus status = human_.status(literal);
+      if (status.kind == FactStatus::Kind::Variable) goal_.push_back(status.fact);
+    }
+  }
+
+  Cost humanPlanCost() const { return prefix_costs_.back(); }
+
+  Cost optimal(const Literal& fluent, CostDifferences& progress) {
+    const FactStatus status = human_.status(fluent);
+    std::optional<task::FactId> key;
+    if (status.kind == FactStatus::Kind::Variable) key = status.fact;
+    if (const auto known = costs_.find(key); known != costs_.end()) return known->second;
+    const Cost cost = search(fluent, key, progress);
+    costs_.emplace(key, cost);
+    return cost;
+  }
+
+ private:
+  Cost search(const Literal& fluent, std::optional<task::FactId> fact, CostDifferences& progress) {
+    task::FactSet goal = goal_;
+    if (fact) goal.push_back(*fact);
+    goal = task::makeFactSet(std::move(goal));
+    const Cost bound = cheapestPrefix(fluent);
+    ++progress.planner_calls;
+    const search::Result result =
+        search::astar(human_.task, successors_, goal, search_limits_, bound);
+    if (result.limit == LimitReason::Cancelled) throw LimitReached(result.limit, "the beliefs");
+    if (result.status == search::Status::LimitReached) progress.exact = false;
+    return result.status == search::Status::Solved ? result.cost : bound;
+  }
+
+  /// π^H itself achieves every candidate, so there always is one.
+  Cost cheapestPrefix(const Literal& fluent) const {
+    std::vector<Literal> wanted = problem_.specified;
+    wanted.push_back(fluent);
+    const auto& states = problem_.expectation.states;
+    std::size_t i = 0;
+    while (!validation::unsatisfied(problem_.human, states[i], wanted).empty())
+      ++i;
+    return prefix_costs_[i];
+  }
+
+  const Problem& problem_;
+  std::vector<Cost> prefix_costs_;
+  grounding::GroundTask human_;
+  search::SuccessorGenerator successors_;
+  Limits search_limits_;
+  task::FactSet goal_;
+  std::map<std::optional<task::FactId>, Cost> costs_;  // nothing: G^H alone
+};
+
+}  // namespace
+
+CostDifferences costDifferences(const Problem& problem, bool unit_costs, const Limits& limits,
+                                std::uint64_t states_per_search) {
+  HumanCosts costs(problem, unit_costs, limits, states_per_search);
+  CostDifferences result;
+  result.values.reserve(problem.candidates.size());
+  for (const Candidate& candidate : problem.candidates) {
+    const Cost difference = costs.humanPlanCost() - costs.optimal(candidate.fluent, result);
+    result.values.push_back(std::abs(static_cast<double>(difference)));
+  }
+  return result;
+}
+
+std::vector<double> beliefs(const Problem& problem, const std::vector<double>& differences,
+                            const BeliefOptions& options) {
+  std::vector<double> result(differences.size(), options.flat);
+  if (options.mode == BeliefMode::Normalised) {
+    result = weights(differences, options.beta);
+    double sum = 0;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      if (!problem.candidates[i].is_static) sum += result[i];
+    }
+    // With static candidates alone there is nothing to share the expectation among.
+    const double scale = sum > 0 ? options.kappa / sum : 0;
+    for (double& belief : result)
+      belief *= scale;
+  } else if (options.mode == BeliefMode::Raw) {
+    std::transform(differences.begin(), differences.end(), result.begin(),
+                   [&](double difference) { return std::exp(-options.beta * difference); });
+  }
+  for (double& belief : result)
+    belief = std::clamp(belief, kLeastBelief, kMostBelief);
+  return result;
+}
+
+std::vector<double> paperBeliefs(const std::vector<double>& differences, double beta) {
+  std::vector<double> result = weights(differences, beta);
+  double sum = 0;
+  for (const double weight : result)
+    sum += weight;
+  for (double& belief : result)
+    belief /= sum;
+  return result;
+}
+
+}  // namespace goal_alignment::alignment

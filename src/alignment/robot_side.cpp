@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/alignment/robot_side.h"
+
+#include <cstddef>
+#include <vector>
+
+#include "goal_alignment/grounding/grounder.h"
+#include "goal_alignment/validation/execution.h"
+
+namespace goal_alignment::alignment {
+
+RobotSide makeRobotSide(const Problem& problem, bool unit_costs,
+                        const achievability::SearchBudget& budget, const Limits& limits) {
+  std::vector<Literal> fluents;
+  for (const Candidate& candidate : problem.candidates)
+    fluents.push_back(candidate.fluent);
+  std::vector<Literal> goals = problem.specified;
+  goals.insert(goals.end(), fluents.begin(), fluents.end());
+  const grounding::GroundTask task = grounding::ground(problem.robot, goals, {unit_costs}, limits);
+
+  RobotSide side;
+  side.achievability = std::make_unique<achievability::Achievability>(task, problem.specified,
+                                                                      fluents, budget, limits);
+  const validation::Execution execution = validation::execute(problem.robot, problem.human_plan);
+  const auto steps_run = static_cast<std::ptrdiff_t>(execution.states.size() - 1);
+  side.achievability->recordExecution(
+      {problem.human_plan.begin(), problem.human_plan.begin() + steps_run});
+  side.human_plan_runs = !execution.violation;
+  if (execution.violation) side.human_plan_violation = execution.violation->message;
+  return side;
+}
+
+}  // namespace goal_alignment::alignment

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper_policy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "goal_alignment/common/random_source.h"
+#include "live_conflict.h"
+
+namespace goal_alignment::questions {
+
+namespace {
+
+/// Values this close are one value: they are sums of the same products in another order.
+constexpr double kTolerance = 1e-9;
+
+}  // namespace
+
+std::vector<double> valueOfQuery(const std::vector<double>& belief,
+                                 const std::vector<bool>& unachievable_alone) {
+  std::vector<double> value(belief.size());
+  for (std::size_t f = 0; f < belief.size(); ++f) {
+    double all_wanted = 1;     // Π over F̂
+    double others_wanted = 1;  // Π over F̂ \ {f}
+    for (std::size_t g = 0; g < belief.size(); ++g) {
+      if (!unachievable_alone[g]) continue;
+      all_wanted *= belief[g];
+      if (g != f) others_wanted *= belief[g];
+    }
+    const double if_wanted = unachievable_alone[f] ? 1 : all_wanted;
+    value[f] = belief[f] * if_wanted + (1 - belief[f]) * others_wanted;
+  }
+  return value;
+}
+
+void PaperPolicy::fillQueue() {
+  queue_filled_ = true;
+  const std::vector<bool> unachievable = setting_.unachievable_alone();
+  // With an empty F̂ every value is 1 whatever the beliefs are, so they need not be computed.
+  const bool all_equal =
+      std::none_of(unachievable.begin(), unachievable.end(), [](bool b) { return b; });
+  const std::vector<double> value = all_equal
+                                        ? std::vector<double>(unachievable.size(), 1)
+                                        : valueOfQuery(setting_.paper_beliefs(), unachievable);
+  for (std::size_t f = 0; f < value.size(); ++f) {
+    if (setting_.ask_static || !setting_.is_static[f]) queue_.push_back(f);
+  }
+  RandomSource random(setting_.seed);
+  for (std::size_t i = queue_.size(); i > 1; --i)
+    std::swap(queue_[i - 1], queue_[random.below(i)]);
+  std::stable_sort(queue_.begin(), queue_.end(), [&](std::size_t a, std::size_t b) {
+    return std::round(value[a] / kTolerance) < std::round(value[b] / kTolerance);
+  });
+}
+
+std::optional<Choice> PaperPolicy::next(const Situation& situation) {
+  if (!queue_filled_) fillQueue();
+  while (!queue_.empty() && situation.knowledge[queue_.back()] != Knowledge::Open)
+    queue_.pop_back();
+  if (queue_.empty()) return std::nullopt;
+  return Choice{queue_.back(), smallestLiveConflict(situation, queue_.back())};
+}
+
+}  // namespace goal_alignment::questions

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/questions/policy.h"
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "ask_all_policy.h"
+#include "auto_policy.h"
+#include "paper_policy.h"
+
+namespace goal_alignment::questions {
+
+namespace {
+
+template <typename Kind>
+std::unique_ptr<Policy> make(Setting setting) {
+  return std::make_unique<Kind>(std::move(setting));
+}
+
+struct Entry {
+  const char* name;
+  std::unique_ptr<Policy> (*make)(Setting);
+};
+
+constexpr std::array<Entry, 3> kPolicies = {{
+    {"auto", make<AutoPolicy>},
+    {"paper", make<PaperPolicy>},
+    {"ask-all", make<AskAllPolicy>},
+}};
+
+}  // namespace
+
+std::vector<std::string> policyNames() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kPolicies)
+    names.emplace_back(entry.name);
+  return names;
+}
+
+std::unique_ptr<Policy> makePolicy(const std::string& name, Setting setting) {
+  std::string known;
+  for (const Entry& entry : kPolicies) {
+    if (name == entry.name) return entry.make(std::move(setting));
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  throw std::invalid_argument("unknown policy '" + name + "'; there are: " + known);
+}
+
+}  // namespace goal_alignment::questions
