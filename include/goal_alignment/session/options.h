@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "goal_alignment/alignment/beliefs.h"
+
+namespace goal_alignment::session {
+
+/// What "I don't know" means (doc: a plan must achieve the fluent, a proof may not rest on it).
+enum class UnsurePolicy : std::uint8_t {
+  AsYes = 0,  ///< the plan keeps the fluent, a proof of "no plan" may not use it
+  Defer = 1,  ///< asks once more when nothing else is left to ask
+  Abort = 2,  ///< the dialogue ends undecided
+};
+
+enum class PlanMode : std::uint8_t { First, Optimal };
+
+/// All conflicts before the first question, or ask inside those already known.
+enum class ConflictMode : std::uint8_t { Full, Lazy };
+
+struct Options {
+  std::string policy = "auto";  ///< a name of questions::policyNames()
+  std::uint64_t seed = 0;       ///< breaks ties
+  alignment::BeliefOptions belief;
+  ConflictMode conflicts = ConflictMode::Full;
+  UnsurePolicy unsure_policy = UnsurePolicy::AsYes;
+  PlanMode plan = PlanMode::First;
+  bool costs = false;             ///< use :action-costs where both models have them
+  bool static_candidates = true;  ///< false takes static fluents out of policies `paper`, `ask-all`
+  double time_limit =
+      std::numeric_limits<double>::infinity();       ///< seconds of thinking, not waiting
+  std::size_t memory_limit = std::size_t{2} << 30U;  ///< accounted bytes
+  int max_questions = -1;                            ///< -1: as many as it takes
+};
+
+}  // namespace goal_alignment::session

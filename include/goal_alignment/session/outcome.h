@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/limits.h"
+
+namespace goal_alignment::session {
+
+/// How an alignment ended; the numbers are part of the ROS interface. Bands: 1 success, 50 an
+/// answer without a plan, 60 the dialogue, 70 the input, 80 a fault of ours.
+enum class OutcomeCode : std::uint16_t {
+  None = 0,  ///< never on purpose, so that an empty result does not read as success
+  Success = 1,
+  Canceled = 50,
+  GoalUnsolvable = 51,           ///< G^H itself, proven
+  ExpectationUnachievable = 52,  ///< a conflict whose fluents are all wanted, proven
+  TimeLimit = 53,
+  MemoryLimit = 54,
+  NoAnswer = 60,
+  Declined = 61,
+  QuestionLimit = 62,
+  Contradiction = 63,
+  UnsureBlocks = 64,
+  InvalidModel = 70,
+  HumanPlanInvalid = 71,
+  GoalNotExpected = 72,
+  StateUnknown = 73,
+  Internal = 80,
+};
+
+/// The final plan and what it promises.
+struct FinalPlan {
+  std::vector<GroundName> steps;
+  std::int64_t cost = 0;
+  bool optimal = false;               ///< proven the cheapest for what it achieves
+  std::vector<Literal> guaranteed;    ///< the specified goal and every fluent answered YES
+  std::vector<Literal> kept_unasked;  ///< candidates achieved though nobody was asked
+  std::vector<Literal> not_wanted;    ///< candidates answered NO
+};
+
+/// What could be had instead, after NO_PLAN: everything wanted but these fluents.
+struct Alternative {
+  std::vector<Literal> given_up;
+  double probability = 0;  ///< that the person wants none of the fluents given up
+};
+
+struct Outcome {
+  OutcomeCode code = OutcomeCode::None;
+  std::string message;            ///< one or two sentences for people
+  FinalPlan plan;                 ///< with code Success
+  std::vector<Literal> conflict;  ///< what can't be had together, with codes 51, 52, 64
+  std::vector<Alternative> alternatives;
+  int failing_step = -1;  ///< index in the human plan, with code HumanPlanInvalid
+};
+
+/// The word of the command line's JSON: plan_found no_plan undecided cancelled invalid internal.
+const char* outcomeWord(OutcomeCode code) noexcept;
+
+/// The exit status of the command line: 0 plan_found, 1 no_plan, 2 invalid, 3 undecided,
+/// 4 cancelled, 5 internal.
+int exitStatus(OutcomeCode code) noexcept;
+
+/// The one place where an exception becomes an outcome.
+Outcome outcomeOf(const std::exception& exception);
+
+/// The outcome of work that a limit or a cancel stopped.
+OutcomeCode outcomeOf(LimitReason reason) noexcept;
+
+}  // namespace goal_alignment::session

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/limits.h"
+#include "goal_alignment/pddl/source_position.h"
+#include "goal_alignment/session/options.h"
+#include "goal_alignment/session/outcome.h"
+
+/// One alignment, from task to outcome and on. The façade of the core: the ROS node, the command
+/// line and the tests drive this same object. It asks and is told; it does no I/O.
+///
+///     Idle ──begin()──▶ Analysing ──step()──▶ AwaitingAnswer | Done
+///                           ▲                     │
+///                           └──── answer() ───────┘
+///     Done ──revise(), answer(), setRobotState()──▶ Analysing        (nothing is asked again)
+///
+/// A worked example, compiled by test/unit/session/session_test.cpp:
+///
+///     Session session{Options{}};
+///     session.begin(input);
+///     while (session.step() != State::Done) {
+///       if (session.state() == State::AwaitingAnswer) {
+///         for (const Literal& fluent : session.question()->fluents) {
+///           session.answer({fluent}, person.wants(fluent) ? AnswerKind::Yes : AnswerKind::No,
+///           "me");
+///         }
+///       }
+///     }
+///     execute(session.outcome().plan.steps);   // if outcome().code is Success
+///
+/// cancel() alone may be called from another thread; everything else belongs to one.
+namespace goal_alignment::session {
+
+enum class State : std::uint8_t { Idle, Analysing, AwaitingAnswer, Done };
+
+/// Texts of the four files and the human's plan. An empty goal means the problem files' goal.
+struct Input {
+  pddl::Source robot_domain;
+  pddl::Source robot_problem;
+  pddl::Source human_domain;
+  pddl::Source human_problem;
+  std::vector<Literal> goal;
+  std::vector<GroundName> human_plan;  ///< empty: the human expects what they believe is so now
+};
+
+enum class AnswerKind : std::int8_t { No = 0, Yes = 1, Unsure = 2, Decline = 3 };
+
+/// What became of an answer. Refused answers change nothing; message says why.
+struct Receipt {
+  bool accepted = false;
+  std::string message;
+};
+
+/// Numbers as in the ROS message Candidate.
+enum class CandidateState : std::uint8_t {
+  Specified = 0,
+  Open = 1,  ///< in a live conflict, so its answer can change the outcome
+  Asked = 2,
+  Wanted = 3,
+  NotWanted = 4,
+  Unsure = 5,
+  Settled = 6,  ///< can't change the outcome, never asked
+};
+
+struct CandidateView {
+  Literal fluent;
+  CandidateState state = CandidateState::Open;
+  double probability = 0;              ///< belief that the person wants it
+  bool achievable = true;              ///< together with the specified goal, as far as is known
+  bool is_static = false;              ///< no action of either model changes its predicate
+  std::vector<std::size_t> conflicts;  ///< indices of the live conflicts it is in
+  std::string answered_by;
+};
+
+struct ConflictView {
+  std::vector<Literal> fluents;
+  bool proven = false;
+  bool minimal = false;
+  bool live = false;  ///< no fluent of it was answered NO
+};
+
+/// The open question, with all that its wording needs.
+struct QuestionView {
+  std::vector<Literal> fluents;   ///< usually one
+  std::vector<Literal> conflict;  ///< the live conflict that makes the answer matter; may be empty
+                                  ///< under the policies `paper` and `ask-all`
+  bool conflict_proven = false;   ///< false: "I could not make sure …"
+  std::vector<double> probabilities;  ///< beliefs of `fluents`
+  std::size_t asked = 0;              ///< questions asked before this one
+  std::size_t max_remaining = 0;      ///< at most so many more, this one included
+  bool bound_is_provisional = false;  ///< conflicts are not complete: the bound may still change
+};
+
+/// One question that was answered.
+struct QuestionRecord {
+  std::vector<Literal> fluents;
+  std::vector<Literal> conflict;
+  bool conflict_proven = false;
+  AnswerKind answer = AnswerKind::No;
+  std::size_t round = 0;
+};
+
+/// Everything an onlooker may want to see.
+struct Snapshot {
+  State state = State::Idle;
+  float progress = 0;  ///< 0 … 1
+  std::vector<Literal> specified;
+  std::vector<CandidateView> candidates;
+  std::vector<ConflictView> conflicts;
+  bool conflicts_complete = false;
+  std::size_t questions_asked = 0;
+  std::size_t max_remaining = 0;
+};
+
+/// Where the time went, in seconds, and how often a planner ran.
+struct Statistics {
+  double parse = 0;
+  double ground = 0;
+  double belief = 0;
+  double conflicts = 0;
+  double questions = 0;
+  double plan = 0;
+  double total = 0;  ///< thinking only; waiting for answers is not counted
+  std::size_t planner_calls = 0;
+};
+
+class Session {
+ public:
+  /// Throws std::invalid_argument for an option out of its range.
+  explicit Session(Options options);
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+
+  /// Takes the task on and forgets what was before. No work is done yet.
+  void begin(Input input);
+
+  /// Does one piece of work and returns the new state: one of parsing, grounding, analysis, a
+  /// decision, the final plan. Never throws for bad input: that is an outcome. In AwaitingAnswer
+  /// and Done there is nothing to do and nothing changes.
+  State step();
+
+  State state() const;
+  const std::optional<QuestionView>& question() const;  ///< in AwaitingAnswer
+  const Outcome& outcome() const;                       ///< meaningful in Done
+
+  /// Answers candidates, asked or not, at any time after the analysis began to know them. Refused:
+  /// a fluent answered already (revise() changes it), a specified one, one outside S^H.
+  /// Answering part of an open question's fluents leaves the question open for the others, except
+  /// that YES settles the rest of them as NO. Decline ends the dialogue.
+  Receipt answer(const std::vector<Literal>& fluents, AnswerKind kind,
+                 const std::string& answered_by);
+
+  /// Replaces earlier answers; from Done the session goes on.
+  Receipt revise(const std::vector<Literal>& fluents, AnswerKind kind,
+                 const std::string& answered_by);
+
+  /// The robot's state is now this: S^H and the answers stay, the robot's side is analysed anew.
+  /// `atoms` are all atoms that are true. Throws pddl::SemanticError naming an atom that the
+  /// robot's model can't have; the session is then as it was.
+  void setRobotState(const std::vector<GroundName>& atoms);
+
+  /// Nobody answered the open question in time: Done with NoAnswer. The answers given stay.
+  void giveUpWaiting(const std::string& reason);
+
+  /// Ends the work in progress as soon as possible; the session then is Done with Canceled.
+  /// Thread-safe. Takes effect also when it comes before begin()'s first step().
+  void cancel() noexcept;
+
+  Snapshot snapshot() const;
+  const std::vector<QuestionRecord>& questions() const;
+  const Statistics& statistics() const;
+
+  /// Where π^H first fails in the robot's model, as one sentence; empty: it doesn't, or is not
+  /// known yet.
+  std::string humanPlanInRobotModel() const;
+
+  /// The text with the names spelled as the models' writers did.
+  std::string spelling(const Literal& fluent) const;
+  std::string spelling(const GroundName& action) const;
+
+  /// The parameter names of an action's schema in the robot's model, lower case, without `?`.
+  std::vector<std::string> parameterNames(const std::string& action) const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace goal_alignment::session

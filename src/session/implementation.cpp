@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "implementation.h"
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "goal_alignment/common/exceptions.h"
+
+namespace goal_alignment::session {
+
+using achievability::Check;
+using achievability::Verdict;
+
+namespace {
+
+/// How many states one search for a belief may generate. A belief only orders questions, so where
+/// it is not cheap its bound from π^H will do; Algorithm 1 asks for the optimal cost.
+constexpr std::uint64_t kBeliefStates = 2'000;
+constexpr std::uint64_t kPaperBeliefStates = 100'000;
+
+void requireRange(bool holds, const std::string& what) {
+  if (!holds) throw std::invalid_argument(what);
+}
+
+void validate(const Options& options) {
+  requireRange(options.belief.beta >= 0, "beta must not be negative");
+  requireRange(options.belief.kappa > 0, "kappa must be positive");
+  requireRange(options.belief.flat >= 0 && options.belief.flat <= 1,
+               "a flat belief must lie between 0 and 1");
+  requireRange(options.time_limit > 0, "the time limit must be positive");
+  requireRange(options.memory_limit > 0, "the memory limit must be positive");
+  requireRange(options.max_questions >= -1, "the question limit must be -1 (none) or more");
+  questions::makePolicy(options.policy, {});  // throws for an unknown name
+}
+
+}  // namespace
+
+Session::Implementation::Implementation(Options options) : options_(std::move(options)) {
+  validate(options_);
+}
+
+void Session::Implementation::begin(Input input) {
+  input_ = std::move(input);
+  robot_side_ = {};
+  policy_.reset();
+  problem_.reset();
+  beliefs_.clear();
+  dialogue_ = {};
+  question_.reset();
+  outcome_ = {};
+  statistics_ = {};
+  earlier_robot_calls_ = 0;
+  belief_calls_ = 0;
+  budget_from_ = 0;
+  phase_ = Phase::Read;
+  state_ = State::Analysing;
+}
+
+Limits Session::Implementation::limits() const {
+  Limits result;
+  result.bytes = options_.memory_limit;
+  result.cancel = &cancel_;
+  if (options_.time_limit < std::numeric_limits<double>::infinity()) {
+    const std::chrono::duration<double> running = Limits::Clock::now() - step_began_;
+    result = result.withSeconds(options_.time_limit - (statistics_.total - budget_from_) -
+                                running.count());
+  }
+  return result;
+}
+
+double& Session::Implementation::stopwatch(Phase phase) {
+  switch (phase) {
+    case Phase::Read:
+      return statistics_.parse;
+    case Phase::Ground:
+      return statistics_.ground;
+    case Phase::Believe:
+      return statistics_.belief;
+    case Phase::Check:
+    case Phase::FindConflicts:
+      return statistics_.conflicts;
+    case Phase::Decide:
+      return statistics_.questions;
+  }
+  return statistics_.questions;
+}
+
+State Session::Implementation::step() {
+  if (state_ != State::Analysing && !(state_ == State::AwaitingAnswer && cancel_.cancelled())) {
+    return state_;
+  }
+  step_began_ = Limits::Clock::now();
+  const Phase phase = phase_;
+  const double planning_before = statistics_.plan;
+  try {
+    if (cancel_.cancelled()) throw LimitReached(LimitReason::Cancelled, "the alignment");
+    if (statistics_.total - budget_from_ >= options_.time_limit)
+      throw LimitReached(LimitReason::Time, "thinking");
+    run(phase);
+  } catch (const std::exception& exception) {
+    finish(outcomeOf(exception));
+  }
+  const std::chrono::duration<double> took = Limits::Clock::now() - step_began_;
+  stopwatch(phase) += took.count() - (statistics_.plan - planning_before);
+  statistics_.total += took.count();
+  statistics_.planner_calls = belief_calls_ + earlier_robot_calls_ +
+                              (robot_side_.achievability ? robot().plannerCalls() : 0);
+  return state_;
+}
+
+void Session::Implementation::run(Phase phase) {
+  switch (phase) {
+    case Phase::Read:
+      return read();
+    case Phase::Ground:
+      return ground();
+    case Phase::Check:
+      return checkWhole();
+    case Phase::Believe:
+      return believe();
+    case Phase::FindConflicts:
+      return findConflicts();
+    case Phase::Decide:
+      return decide();
+  }
+}
+
+void Session::Implementation::read() {
+  pddl::Model robot = pddl::readModel(input_.robot_domain, input_.robot_problem);
+  pddl::Model human = pddl::readModel(input_.human_domain, input_.human_problem);
+  unit_costs_ = !(options_.costs && robot.has_costs && human.has_costs);
+  problem_ = std::make_unique<alignment::Problem>(alignment::makeProblem(
+      std::move(robot), std::move(human), input_.goal, std::move(input_.human_plan)));
+  input_ = {};
+  dialogue_ = Dialogue(*problem_);
+  phase_ = Phase::Ground;
+}
+
+void Session::Implementation::ground() {
+  robot_side_ =
+      alignment::makeRobotSide(*problem_, unit_costs_, achievability::SearchBudget{}, limits());
+  policy_ = questions::makePolicy(options_.policy, policySetting());
+  phase_ = Phase::Check;
+}
+
+void Session::Implementation::checkWhole() {
+  const achievability::CandidateSet none(robot().candidateCount());
+  const Check whole = robot().check(~none, limits());
+  if (whole.verdict == Verdict::Achievable) {
+    conclude(~none, whole.plan);
+    return;
+  }
+  const Check specified = robot().check(none, limits());
+  if (specified.verdict == Verdict::Unachievable) {
+    finish(OutcomeCode::GoalUnsolvable,
+           "no plan can achieve what was asked for: " + listed(problem_->specified));
+  } else if (specified.verdict == Verdict::Unknown) {
+    finish(outcomeOf(specified.limit),
+           "the limits did not suffice to find out whether the specified goal can be achieved");
+  } else {
+    if (whole.verdict == Verdict::Unknown) robot().suspect(~none);
+    phase_ = Phase::Believe;
+  }
+}
+
+void Session::Implementation::believe() {
+  if (beliefs_.empty()) {
+    std::vector<double> differences(robot().candidateCount(), 0);
+    if (options_.belief.mode != alignment::BeliefMode::Flat) {
+      differences = costDifferences(kBeliefStates);
+    }
+    beliefs_ = alignment::beliefs(*problem_, differences, options_.belief);
+  }
+  const bool full = options_.conflicts == ConflictMode::Full;
+  phase_ = policy_->usesConflicts() && full ? Phase::FindConflicts : Phase::Decide;
+}
+
+std::vector<double> Session::Implementation::costDifferences(std::uint64_t states_per_search) {
+  alignment::CostDifferences differences =
+      alignment::costDifferences(*problem_, unit_costs_, limits(), states_per_search);
+  belief_calls_ += differences.planner_calls;
+  return std::move(differences.values);
+}
+
+void Session::Implementation::findConflicts() {
+  robot().findAllConflicts(limits());
+  phase_ = Phase::Decide;
+}
+
+questions::Setting Session::Implementation::policySetting() {
+  questions::Setting setting;
+  for (const alignment::Candidate& candidate : problem_->candidates) {
+    setting.is_static.push_back(candidate.is_static);
+  }
+  setting.ask_static = options_.static_candidates;
+  setting.seed = options_.seed;
+  setting.paper_beliefs = [this] {
+    return alignment::paperBeliefs(costDifferences(kPaperBeliefStates), options_.belief.beta);
+  };
+  setting.unachievable_alone = [this] { return unachievableAlone(); };
+  return setting;
+}
+
+std::vector<bool> Session::Implementation::unachievableAlone() {
+  std::vector<bool> result(robot().candidateCount());
+  for (std::size_t f = 0; f < result.size(); ++f) {
+    const Verdict verdict = robot().reachableAlone(f, limits());
+    if (verdict == Verdict::Unknown)
+      throw LimitReached(LimitReason::Time, "a check of Algorithm 1");
+    result[f] = verdict == Verdict::Unachievable;
+  }
+  return result;
+}
+
+Receipt Session::Implementation::answer(const std::vector<Literal>& fluents, AnswerKind kind,
+                                        const std::string& answered_by, bool revising) {
+  if (!problem_ || !robot_side_.achievability)
+    return {false, "the task is not analysed yet; there is no question"};
+  if (kind == AnswerKind::Decline) {
+    finish(OutcomeCode::Declined, answered_by + " declined to answer");
+    return {true, ""};
+  }
+  Receipt receipt = dialogue_.answer(fluents, kind, answered_by, revising);
+  if (!receipt.accepted) return receipt;
+  if (kind == AnswerKind::Unsure && options_.unsure_policy == UnsurePolicy::Abort) {
+    finish(OutcomeCode::UnsureBlocks, "\"don't know\" ends this dialogue undecided");
+    return receipt;
+  }
+  const bool unanswered = state_ == State::AwaitingAnswer && dialogue_.isOpen();
+  if (unanswered && !revising) return receipt;  // another fluent was volunteered
+  dialogue_.withdraw();
+  question_.reset();
+  if (state_ != State::Analysing) resume(beliefs_.empty() ? Phase::Check : Phase::Decide);
+  return receipt;
+}
+
+void Session::Implementation::setRobotState(const std::vector<GroundName>& atoms) {
+  if (!problem_) throw std::logic_error("there is no task yet whose robot could have a state");
+  std::vector<pddl::Atom> init;
+  for (const GroundName& name : atoms) {
+    std::string why_not;
+    auto atom = problem_->robot.resolve(name, &why_not);
+    if (!atom) {
+      throw pddl::SemanticError(problem_->robot.problem_source, {},
+                                "the robot's model can't have " + name.text() + ": " + why_not);
+    }
+    init.push_back(std::move(*atom));
+  }
+  problem_->robot.init = std::move(init);
+  if (robot_side_.achievability) earlier_robot_calls_ += robot().plannerCalls();
+  robot_side_ = {};
+  dialogue_.withdraw();
+  question_.reset();
+  resume(Phase::Ground);
+}
+
+/// Goes on thinking; after an outcome with a new allowance of time.
+void Session::Implementation::resume(Phase phase) {
+  if (state_ == State::Done) budget_from_ = statistics_.total;
+  outcome_ = {};
+  phase_ = phase;
+  state_ = State::Analysing;
+}
+
+void Session::Implementation::finish(OutcomeCode code, std::string message) {
+  Outcome outcome;
+  outcome.code = code;
+  outcome.message = std::move(message);
+  finish(std::move(outcome));
+}
+
+void Session::Implementation::finish(Outcome outcome) {
+  // A cancel is used up by the outcome it brings about: the session can go on after it.
+  if (outcome.code == OutcomeCode::Canceled) cancel_.reset();
+  outcome_ = std::move(outcome);
+  dialogue_.withdraw();
+  question_.reset();
+  state_ = State::Done;
+}
+
+}  // namespace goal_alignment::session

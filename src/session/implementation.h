@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dialogue.h"
+#include "goal_alignment/achievability/achievability.h"
+#include "goal_alignment/alignment/beliefs.h"
+#include "goal_alignment/alignment/problem.h"
+#include "goal_alignment/alignment/robot_side.h"
+#include "goal_alignment/questions/policy.h"
+#include "goal_alignment/session/session.h"
+
+namespace goal_alignment::session {
+
+/// What a session does from step to step. Each phase is one step(); the last one repeats.
+class Session::Implementation {
+ public:
+  explicit Implementation(Options options);
+
+  void begin(Input input);
+  State step();
+  Receipt answer(const std::vector<Literal>& fluents, AnswerKind kind,
+                 const std::string& answered_by, bool revising);
+  void setRobotState(const std::vector<GroundName>& atoms);
+  void finish(OutcomeCode code, std::string message);
+
+  Snapshot snapshot() const;
+  std::string spelling(const GroundName& ground) const;
+  std::vector<std::string> parameterNames(const std::string& action) const;
+
+  State state() const { return state_; }
+  const std::optional<QuestionView>& question() const { return question_; }
+  const Outcome& outcome() const { return outcome_; }
+  const Dialogue& dialogue() const { return dialogue_; }
+  const Statistics& statistics() const { return statistics_; }
+  const std::string& humanPlanInRobotModel() const { return robot_side_.human_plan_violation; }
+  CancelToken& cancelToken() { return cancel_; }
+
+ private:
+  enum class Phase { Read, Ground, Check, Believe, FindConflicts, Decide };
+
+  // implementation.cpp: the phases
+  void run(Phase phase);
+  void read();
+  void ground();
+  void checkWhole();
+  void believe();
+  std::vector<double> costDifferences(std::uint64_t states_per_search);
+  void findConflicts();
+  questions::Setting policySetting();
+  std::vector<bool> unachievableAlone();
+  Limits limits() const;
+  double& stopwatch(Phase phase);
+  void resume(Phase phase);
+  void finish(Outcome outcome);
+  achievability::Achievability& robot() { return *robot_side_.achievability; }
+  const achievability::Achievability& robot() const { return *robot_side_.achievability; }
+
+  // decision.cpp: from what is known to a question or an outcome
+  void decide();
+  bool concludeNoPlan();
+  bool concludePlan();
+  bool concludeBlocked();
+  void ask(const questions::Choice& choice);
+  bool anyLive() const;
+  questions::Situation situation() const;
+  std::size_t mostRemaining() const;
+  void conclude(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
+  FinalPlan finalPlan(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
+  std::vector<Alternative> alternatives() const;
+  std::vector<Literal> fluents(const achievability::CandidateSet& set) const;
+  std::string listed(const std::vector<Literal>& literals) const;
+
+  Options options_;
+  CancelToken cancel_;
+  State state_ = State::Idle;
+  Phase phase_ = Phase::Read;
+  Limits::Clock::time_point step_began_;
+  Input input_;
+
+  // Owned through pointers: the ground task and the policy refer to what they were made from.
+  std::unique_ptr<alignment::Problem> problem_;
+  alignment::RobotSide robot_side_;
+  std::unique_ptr<questions::Policy> policy_;
+  bool unit_costs_ = true;
+  std::vector<double> beliefs_;
+  Dialogue dialogue_;
+
+  std::optional<QuestionView> question_;
+  Outcome outcome_;
+  Statistics statistics_;
+  std::size_t earlier_robot_calls_ = 0;  // made before the robot's state changed
+  std::size_t belief_calls_ = 0;
+  double budget_from_ = 0;  // thinking time used up when the last outcome was reached
+};
+
+}  // namespace goal_alignment::session

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/session/session.h"
+
+#include <utility>
+
+#include "implementation.h"
+
+namespace goal_alignment::session {
+
+Session::Session(Options options)
+    : implementation_(std::make_unique<Implementation>(std::move(options))) {}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+void Session::begin(Input input) {
+  implementation_->begin(std::move(input));
+}
+
+State Session::step() {
+  return implementation_->step();
+}
+
+State Session::state() const {
+  return implementation_->state();
+}
+
+const std::optional<QuestionView>& Session::question() const {
+  return implementation_->question();
+}
+
+const Outcome& Session::outcome() const {
+  return implementation_->outcome();
+}
+
+Receipt Session::answer(const std::vector<Literal>& fluents, AnswerKind kind,
+                        const std::string& answered_by) {
+  return implementation_->answer(fluents, kind, answered_by, false);
+}
+
+Receipt Session::revise(const std::vector<Literal>& fluents, AnswerKind kind,
+                        const std::string& answered_by) {
+  return implementation_->answer(fluents, kind, answered_by, true);
+}
+
+void Session::setRobotState(const std::vector<GroundName>& atoms) {
+  implementation_->setRobotState(atoms);
+}
+
+void Session::giveUpWaiting(const std::string& reason) {
+  if (state() == State::AwaitingAnswer) implementation_->finish(OutcomeCode::NoAnswer, reason);
+}
+
+void Session::cancel() noexcept {
+  implementation_->cancelToken().cancel();
+}
+
+Snapshot Session::snapshot() const {
+  return implementation_->snapshot();
+}
+
+const std::vector<QuestionRecord>& Session::questions() const {
+  return implementation_->dialogue().records();
+}
+
+const Statistics& Session::statistics() const {
+  return implementation_->statistics();
+}
+
+std::string Session::humanPlanInRobotModel() const {
+  return implementation_->humanPlanInRobotModel();
+}
+
+std::string Session::spelling(const Literal& fluent) const {
+  const std::string atom = implementation_->spelling(fluent.atom);
+  return fluent.negated ? "(not " + atom + ")" : atom;
+}
+
+std::string Session::spelling(const GroundName& action) const {
+  return implementation_->spelling(action);
+}
+
+std::vector<std::string> Session::parameterNames(const std::string& action) const {
+  return implementation_->parameterNames(action);
+}
+
+}  // namespace goal_alignment::session
