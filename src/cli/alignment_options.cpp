@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/cli/alignment_options.h"
+
+#include <limits>
+#include <map>
+#include <set>
+
+#include "goal_alignment/cli/commands.h"
+#include "goal_alignment/questions/policy.h"
+
+namespace goal_alignment::cli {
+
+namespace {
+
+/// The entry of a small table of words; the error lists them.
+template <typename Value>
+Value lookUp(const std::map<std::string, Value>& words, const std::string& word,
+             const std::string& option) {
+  const auto found = words.find(word);
+  if (found != words.end()) return found->second;
+  std::string known;
+  for (const auto& entry : words)
+    known += (known.empty() ? "" : ", ") + entry.first;
+  throw CLI::ValidationError(option, "expected one of " + known + ", found '" + word + "'");
+}
+
+void requirePolicy(const std::string& policy) {
+  if (policy == "optimal" || policy == "ratio") throw NotYet("--policy " + policy);
+  std::map<std::string, bool> known;
+  for (const std::string& name : questions::policyNames())
+    known.emplace(name, true);
+  lookUp(known, policy, "--policy");
+}
+
+alignment::BeliefOptions beliefOptions(const AlignmentWords& words) {
+  alignment::BeliefOptions belief;
+  belief.beta = words.beta;
+  belief.kappa = words.kappa;
+  if (words.belief.rfind("flat:", 0) == 0) {
+    belief.mode = alignment::BeliefMode::Flat;
+    if (!CLI::detail::lexical_cast(words.belief.substr(5), belief.flat)) {
+      throw CLI::ValidationError("--belief",
+                                 "expected a number after flat:, found '" + words.belief + "'");
+    }
+    return belief;
+  }
+  belief.mode = lookUp<alignment::BeliefMode>({{"normalised", alignment::BeliefMode::Normalised},
+                                               {"raw", alignment::BeliefMode::Raw},
+                                               {"flat:P", alignment::BeliefMode::Flat}},
+                                              words.belief, "--belief");
+  return belief;
+}
+
+}  // namespace
+
+NotYet::NotYet(const std::string& what) : CLI::RuntimeError(what + " is not supported yet", 2) {}
+
+void AlignmentWords::add(CLI::App& command) {
+  command.add_option("--seed", seed, "breaks ties");
+  command.add_option("--belief", belief, "normalised, raw or flat:P");
+  command.add_option("--beta", beta, "rationality of the human");
+  command.add_option("--kappa", kappa, "how many goals are expected to be missing");
+  command.add_option("--conflicts", conflicts, "full or lazy");
+  command.add_option("--group", group, "fluents a question may offer");
+  command.add_option("--unsure-policy", unsure_policy, "as-yes, defer or abort");
+  command.add_flag("--negative-candidates", negative_candidates, "ask about side effects, too");
+  command.add_flag("--costs", costs, "use :action-costs where both models have them");
+  command.add_flag("--no-static", no_static, "paper, ask-all: leave static fluents out");
+  command.add_option("--plan", plan, "first, optimal or anytime");
+  command.add_option("--time-limit", time_limit, "seconds of thinking");
+  command.add_option("--memory-limit", memory_limit_mib, "MiB");
+  command.add_option("--threads", threads, "planner threads");
+}
+
+session::Options AlignmentWords::options() const {
+  if (group > 1) throw NotYet("--group " + std::to_string(group));
+  if (negative_candidates) throw NotYet("--negative-candidates");
+  if (threads > 1) throw NotYet("--threads " + std::to_string(threads));
+  if (plan == "anytime") throw NotYet("--plan anytime");
+  if (group < 1) throw CLI::ValidationError("--group", "expected 1 or more");
+  if (threads < 1) throw CLI::ValidationError("--threads", "expected 1 or more");
+  if (time_limit < 0) throw CLI::ValidationError("--time-limit", "expected seconds, 0 for none");
+  requirePolicy(policy);
+  session::Options options;
+  options.policy = policy;
+  options.seed = seed;
+  options.belief = beliefOptions(*this);
+  options.conflicts = lookUp<session::ConflictMode>(
+      {{"full", session::ConflictMode::Full}, {"lazy", session::ConflictMode::Lazy}}, conflicts,
+      "--conflicts");
+  options.unsure_policy = lookUp<session::UnsurePolicy>({{"as-yes", session::UnsurePolicy::AsYes},
+                                                         {"defer", session::UnsurePolicy::Defer},
+                                                         {"abort", session::UnsurePolicy::Abort}},
+                                                        unsure_policy, "--unsure-policy");
+  options.plan = lookUp<session::PlanMode>(
+      {{"first", session::PlanMode::First}, {"optimal", session::PlanMode::Optimal}}, plan,
+      "--plan");
+  options.costs = costs;
+  options.static_candidates = !no_static;
+  if (time_limit > 0) options.time_limit = time_limit;
+  options.memory_limit = memory_limit_mib << 20U;
+  return options;
+}
+
+}  // namespace goal_alignment::cli
