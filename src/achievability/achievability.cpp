@@ -29,12 +29,7 @@ Achievability::Achievability(const grounding::GroundTask& robot,
   classify(robot, specified, candidates);
   const heuristics::MutexTable mutexes(task_, limits);
   findMutexConflicts(mutexes);
-
-  std::vector<task::Operator> applicable;
-  for (task::OperatorId op = 0; op < task_.operators.size(); ++op) {
-    if (mutexes.applicableOperators()[op]) applicable.push_back(std::move(task_.operators[op]));
-  }
-  task_.operators = std::move(applicable);
+  task_ = mutexes.withoutInapplicable(std::move(task_));
   successors_.emplace(task_);
 }
 

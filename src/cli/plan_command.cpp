@@ -4,6 +4,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "goal_alignment/cli/commands.h"
@@ -52,6 +53,7 @@ class Planning {
     try {
       plan(limits);
     } catch (const LimitReached& limit) {
+      result_.status = search::Status::LimitReached;
       result_.limit = limit.reason();
     }
     timing_["total"] = secondsSince(began_);
@@ -82,29 +84,39 @@ class Planning {
     search(ground, goal, limits);
     lap("search");
     if (result_.status != search::Status::Solved) return;
-    steps_ = task::names(ground.task, result_.plan);
     if (const auto fault = validation::fault(model, steps_, goal)) {
       throw Exception("the plan found did not pass validation: " + *fault);
     }
     result_.cost = validation::execute(model, steps_).cost();
   }
 
-  void search(const grounding::GroundTask& ground, const std::vector<Literal>& goal,
-              const Limits& limits) {
+  /// The goal's facts, or nothing where the model proves at once that one of them is never true.
+  static std::optional<task::FactSet> goalFacts(const grounding::GroundTask& ground,
+                                                const std::vector<Literal>& goal) {
     using Kind = grounding::FactStatus::Kind;
     task::FactSet facts;
     for (const Literal& literal : goal) {
       const grounding::FactStatus status = ground.status(literal);
       if (status.kind == Kind::NeverTrue || status.kind == Kind::Unknown) {
-        result_.status = search::Status::Unsolvable;
-        return;
+        return std::nullopt;
       }
       if (status.kind == Kind::Variable) facts.push_back(status.fact);
     }
-    facts = task::makeFactSet(std::move(facts));
-    const search::SuccessorGenerator successors(ground.task);
-    result_ = arguments_.optimal ? search::astar(ground.task, successors, facts, limits)
-                                 : search::greedy(ground.task, successors, facts, limits);
+    return task::makeFactSet(std::move(facts));
+  }
+
+  void search(const grounding::GroundTask& ground, const std::vector<Literal>& goal,
+              const Limits& limits) {
+    result_.status = search::Status::Unsolvable;
+    const auto facts = goalFacts(ground, goal);
+    if (!facts) return;
+    const heuristics::MutexTable mutexes(ground.task, limits);
+    if (mutexes.contains(*facts)) return;
+    const task::Task task = mutexes.withoutInapplicable(ground.task);
+    const search::SuccessorGenerator successors(task);
+    result_ = arguments_.optimal ? search::astar(task, successors, *facts, limits)
+                                 : search::greedy(task, successors, *facts, limits);
+    steps_ = task::names(task, result_.plan);
   }
 
   OutcomeCode code() const {

@@ -2,6 +2,7 @@
 #include "goal_alignment/heuristics/mutexes.h"
 
 #include <deque>
+#include <utility>
 
 #include "goal_alignment/common/exceptions.h"
 
@@ -127,6 +128,15 @@ MutexTable::MutexTable(const task::Task& task, const Limits& limits)
         work.push(user);
     }
   }
+}
+
+task::Task MutexTable::withoutInapplicable(task::Task task) const {
+  std::vector<task::Operator> kept;
+  for (OperatorId op = 0; op < task.operators.size(); ++op) {
+    if (applicable_[op]) kept.push_back(std::move(task.operators[op]));
+  }
+  task.operators = std::move(kept);
+  return task;
 }
 
 bool MutexTable::contains(const FactSet& facts, FactSet* pair) const {

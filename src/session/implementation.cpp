@@ -257,7 +257,10 @@ void Session::Implementation::setRobotState(const std::vector<GroundName>& atoms
 
 /// Goes on thinking; after an outcome with a new allowance of time.
 void Session::Implementation::resume(Phase phase) {
-  if (state_ == State::Done) budget_from_ = statistics_.total;
+  if (state_ == State::Done) {
+    budget_from_ = statistics_.total;
+    cancel_.reset();  // one that came after the outcome had nothing left to end
+  }
   outcome_ = {};
   phase_ = phase;
   state_ = State::Analysing;

@@ -25,8 +25,8 @@ class MutexTable {
   /// Whether the set contains a mutex pair or an unreachable fact; if so `pair` gets it.
   bool contains(const task::FactSet& facts, task::FactSet* pair = nullptr) const;
 
-  /// Operators whose precondition contains no mutex: all others can never be applied.
-  const std::vector<bool>& applicableOperators() const { return applicable_; }
+  /// The task without the operators whose precondition contains a mutex: they can never be applied.
+  task::Task withoutInapplicable(task::Task task) const;
 
  private:
   const task::Word* row(task::FactId fact) const { return together_.data() + fact * words_; }
