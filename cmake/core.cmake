@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Floors 0 to 7: one library that knows nothing of ROS.
+find_package(fmt REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(Boost REQUIRED)
+find_package(Threads REQUIRED)
+
+set(core_floors
+  common pddl task validation grounding heuristics search achievability alignment questions session
+  phrasing)
+set(core_sources)
+foreach(floor IN LISTS core_floors)
+  file(GLOB floor_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${floor}/*.cpp)
+  list(APPEND core_sources ${floor_sources})
+endforeach()
+
+# Named, since catkin would otherwise change the default between the first and the second configure;
+# shared under catkin, so that other packages need not know what it links.
+set(core_library_type STATIC)
+if(GOAL_ALIGNMENT_ROS)
+  set(core_library_type SHARED)
+endif()
+add_library(goal_alignment_core ${core_library_type} ${core_sources})
+target_include_directories(goal_alignment_core PUBLIC
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+target_compile_options(goal_alignment_core PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
+target_link_libraries(goal_alignment_core PUBLIC Boost::boost Threads::Threads
+  PRIVATE fmt::fmt yaml-cpp)
