@@ -1,0 +1,21 @@
+; SPDX-License-Identifier: BSD-3-Clause
+; The kitchen as the human believes it is: somebody has filled the kettle from the jug already.
+(define (problem cup-of-tea)
+  (:domain tea)
+  (:objects back-door - place
+            good-leaves stale-leaves - leaves
+            china-cup mug - cup
+            filtered-water tap-water - water)
+  (:init
+    (robot-at counter)
+    (ladder-at back-door)
+    (on-high-shelf good-leaves)
+    (on-high-shelf china-cup)
+    (dusty china-cup)
+    (plenty-of stale-leaves cupboard)
+    (plenty-of mug counter)
+    (plenty-of tap-water sink)
+    (kettle-at counter)
+    (kettle-filled-with filtered-water)
+    (pot-clean))
+  (:goal (tea-served)))

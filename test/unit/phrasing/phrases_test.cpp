@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/phrasing/phrases.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace goal_alignment::phrasing {
+namespace {
+
+constexpr const char* kTea = R"(
+predicates:
+  Made-With: "{0} is made with {1}"
+  on-high-shelf:
+    affirmative: "{0} is on the high shelf"
+    negated: "{0} is off the high shelf"
+  dusty: {negated: "{0} is free of dust"}
+  too-many: "{0} {1} {2}"
+  braces: "{{{0}}}"
+objects:
+  tea: "the tea"
+  good-leaves: "the good leaves"
+actions:
+  go: "go from {0} to {1}"
+  wait: "wait a little"
+)";
+
+Phrases tea() {
+  return Phrases::fromYaml(kTea, "tea.yaml");
+}
+
+std::vector<Literal> literals(const std::vector<std::string>& texts) {
+  std::vector<Literal> result;
+  for (const std::string& text : texts)
+    result.push_back(Literal::parse(text));
+  return result;
+}
+
+struct Spoken {
+  std::string pddl;
+  std::string expected;
+};
+
+struct SpokenList {
+  std::vector<std::string> pddl;
+  std::string expected;
+};
+
+TEST(Phrases, ClausesComeFromTheTemplates) {
+  const std::vector<Spoken> table = {
+      {"(made-with tea good-leaves)", "the tea is made with the good leaves"},
+      {"(on-high-shelf good-leaves)", "the good leaves is on the high shelf"},
+      {"(not (on-high-shelf tea))", "the tea is off the high shelf"},
+      {"(not (made-with tea water))", "it is not so that the tea is made with water"},
+      {"(braces tea)", "{the tea}"},
+  };
+  for (const Spoken& row : table) {
+    EXPECT_EQ(tea().clause(Literal::parse(row.pddl)), row.expected) << row.pddl;
+  }
+}
+
+TEST(Phrases, WithoutATemplateThePredicateIsReadOutReadably) {
+  const std::vector<Spoken> table = {
+      {"(hand-empty)", "\"hand empty\" holds"},
+      {"(not (hand-empty))", "\"hand empty\" does not hold"},
+      {"(brewed-with tea spring_water)", "\"brewed with\" holds for the tea and spring water"},
+      {"(between a level-2 f0-1)", "\"between\" holds for a, level 2 and f0-1"},
+      {"(dusty cup)", "\"dusty\" holds for cup"},
+      {"(not (dusty cup))", "cup is free of dust"},
+      {"(too-many a b)", "\"too many\" holds for a and b"},
+      {"(not (too-many a b))", "\"too many\" does not hold for a and b"},
+  };
+  for (const Spoken& row : table) {
+    EXPECT_EQ(tea().clause(Literal::parse(row.pddl)), row.expected) << row.pddl;
+  }
+}
+
+TEST(Phrases, AYesToTheQuestionMeansWanted) {
+  const std::vector<SpokenList> table = {
+      {{}, ""},
+      {{"(made-with tea good-leaves)"},
+       "Does it matter to you that the tea is made with the good leaves?"},
+      {{"(not (on-high-shelf tea))"}, "Does it matter to you that the tea is off the high shelf?"},
+      {{"(p a)", "(q b)"},
+       "Do these matter to you: that \"p\" holds for a, and that \"q\" holds for b?"},
+      {{"(p)", "(q)", "(r)"},
+       "Do these matter to you: that \"p\" holds; that \"q\" holds; and that \"r\" holds?"},
+  };
+  for (const SpokenList& row : table) {
+    EXPECT_EQ(tea().question(literals(row.pddl)), row.expected);
+  }
+}
+
+TEST(Phrases, AProvenReasonSaysCant) {
+  const std::vector<SpokenList> table = {
+      {{}, ""},
+      {{"(made-with tea good-leaves)"},
+       "I can't make it so that the tea is made with the good leaves, given what you asked for."},
+      {{"(p)", "(not (dusty cup))"}, "I can't have both: \"p\" holds, and cup is free of dust."},
+      {{"(p)", "(q)", "(r)"},
+       "I can't have all of these together: \"p\" holds; \"q\" holds; and \"r\" holds."},
+  };
+  for (const SpokenList& row : table) {
+    EXPECT_EQ(tea().reason(literals(row.pddl), true), row.expected);
+  }
+}
+
+TEST(Phrases, ASuspectedReasonSaysCouldNotMakeSure) {
+  const std::vector<SpokenList> table = {
+      {{}, ""},
+      {{"(p)"},
+       "I could not make sure that I can make it so that \"p\" holds, given what you asked for."},
+      {{"(p)", "(q)"}, "I could not make sure that I can have both: \"p\" holds, and \"q\" holds."},
+      {{"(p)", "(q)", "(r)"},
+       "I could not make sure that I can have all of these together: \"p\" holds; \"q\" holds; "
+       "and \"r\" holds."},
+  };
+  for (const SpokenList& row : table) {
+    EXPECT_EQ(tea().reason(literals(row.pddl), false), row.expected);
+  }
+}
+
+TEST(Phrases, ActionsAreSpokenWithOrWithoutATemplate) {
+  const std::vector<Spoken> table = {
+      {"(go hallway good-leaves)", "go from hallway to the good leaves"},
+      {"(wait)", "wait a little"},
+      {"(climb-up)", "climb up"},
+      {"(take-one mug counter)", "take one: mug, counter"},
+      {"(go hallway)", "go: hallway"},
+  };
+  for (const Spoken& row : table) {
+    EXPECT_EQ(tea().action(GroundName::parse(row.pddl)), row.expected) << row.pddl;
+  }
+}
+
+TEST(Phrases, FilesThatSayNothingAreFine) {
+  for (const std::string text : {"", "# only a comment\n", "objects:\n", "predicates: {}\n"}) {
+    EXPECT_EQ(Phrases::fromYaml(text, "f").clause(Literal::parse("(p)")), "\"p\" holds") << text;
+  }
+}
+
+struct Broken {
+  std::string yaml;
+  std::string position;
+  std::string message;
+};
+
+TEST(Phrases, ErrorsNamePlaceExpectationAndWhatStoodThere) {
+  const std::vector<Broken> table = {
+      {"predicates: [a]", "1:13", "expected a map from names to texts, found a list"},
+      {"- a", "1:1", "expected a map of 'predicates', 'objects' and 'actions', found a list"},
+      {"objects:\npredicate:\n", "2:1",
+       "expected 'predicates', 'objects' or 'actions', found 'predicate'"},
+      {"predicates:\n  on: \"{a} on {1}\"", "2:7",
+       "expected a gap such as {0} (or {{ for a brace), found '{a}'"},
+      {"predicates:\n  on: \"on {1\"", "2:7",
+       "expected a gap such as {0} (or {{ for a brace), found '{1'"},
+      {"predicates:\n  on: \"{12345}\"", "2:7",
+       "expected a gap such as {0} (or {{ for a brace), found '{12345}'"},
+      {"actions:\n  go: \"0} to\"", "2:7",
+       "expected '{' before '}' (or }} for a brace), found '0}'"},
+      {"actions:\n  go: [x]", "2:7", "expected a text such as \"go to {0}\", found a list"},
+      {"objects:\n  a: \"\"", "2:6", "expected what to call the object, found ''"},
+      {"objects:\n  cup: x\n  Cup: y", "3:3", "expected each name once, found 'cup' again"},
+      {"predicates:\n  on: {positive: x}", "2:8",
+       "expected 'affirmative' or 'negated', found 'positive'"},
+      {"objects: {a: b\n", "2:1", "expected YAML, found end of map flow not found"},
+      {"objects:\n---\nobjects:\n", "3:1", "expected one document, found a second one"},
+  };
+  for (const Broken& row : table) {
+    try {
+      Phrases::fromYaml(row.yaml, "tea.yaml");
+      ADD_FAILURE() << "accepted: " << row.yaml;
+    } catch (const PhraseError& error) {
+      EXPECT_EQ(error.what(), "tea.yaml:" + row.position + ": " + row.message);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace goal_alignment::phrasing
