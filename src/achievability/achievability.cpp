@@ -107,11 +107,13 @@ FactSet Achievability::goalFacts(const CandidateSet& set) const {
 }
 
 void Achievability::recordPlan(const task::Plan& plan) {
+  // A specified literal that is never true is no fact, so no state shows that it is missing.
+  const bool goal_possible = conflicts_.provenWithin(CandidateSet(facts_.size())) == nullptr;
   task::State state = task::initialState(task_);
   for (std::size_t step = 0;; ++step) {
     const CandidateSet now = satisfied(state.data());
     reached_ |= now;
-    if (task::contains(state.data(), specified_)) {
+    if (goal_possible && task::contains(state.data(), specified_)) {
       achieved_.add(now, {plan.begin(), plan.begin() + static_cast<std::ptrdiff_t>(step)});
       conflicts_.clearSuspectedWithin(now);
     }

@@ -21,7 +21,6 @@ constexpr std::size_t kMostHittingSets = 5000;
 /// Stage 3: visits every reachable state, keeps the maximal achieved sets. After it every check is
 /// answered from memory.
 LimitReason Achievability::exhaust(const Limits& limits) {
-  exhaustive_tried_ = true;
   ++planner_calls_;
   search::Exhaustive exhaustive(task_, *successors_);
   std::unordered_map<CandidateSet, search::StateId> first_seen;
@@ -45,6 +44,8 @@ LimitReason Achievability::exhaust(const Limits& limits) {
     conflicts_.clearSuspectedWithin(set);
   }
   exhaustive_complete_ = reason == LimitReason::None;
+  // What a person or the clock broke off may be tried anew; states and bytes would end it again.
+  exhaustive_tried_ = reason != LimitReason::Cancelled && reason != LimitReason::Time;
   return reason;
 }
 

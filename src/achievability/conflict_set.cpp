@@ -7,11 +7,7 @@ namespace goal_alignment::achievability {
 
 bool ConflictSet::add(const Conflict& conflict) {
   for (Conflict& known : conflicts_) {
-    if (known.members == conflict.members) {
-      if (conflict.proven && !known.proven) {
-        known = conflict;
-        return true;
-      }
+    if (known.members == conflict.members && (known.proven || !conflict.proven)) {
       known.minimal = known.minimal || (conflict.minimal && conflict.proven);
       return false;
     }

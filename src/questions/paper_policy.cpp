@@ -55,10 +55,12 @@ void PaperPolicy::fillQueue() {
 
 std::optional<Choice> PaperPolicy::next(const Situation& situation) {
   if (!queue_filled_) fillQueue();
-  while (!queue_.empty() && situation.knowledge[queue_.back()] != Knowledge::Open)
-    queue_.pop_back();
-  if (queue_.empty()) return std::nullopt;
-  return Choice{queue_.back(), smallestLiveConflict(situation, queue_.back())};
+  // Nothing is taken off the queue: what was answered "don't know" may become open once more.
+  const auto first =
+      std::find_if(queue_.rbegin(), queue_.rend(),
+                   [&](std::size_t f) { return situation.knowledge[f] == Knowledge::Open; });
+  if (first == queue_.rend()) return std::nullopt;
+  return Choice{*first, smallestLiveConflict(situation, *first)};
 }
 
 }  // namespace goal_alignment::questions
