@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Floors 8 and 9: messages, libraries and programs of the ROS graph. catkin is looked for here alone.
+find_package(catkin REQUIRED COMPONENTS
+  actionlib actionlib_msgs diagnostic_msgs message_generation roscpp roslib std_msgs)
+
+add_message_files(DIRECTORY msg FILES
+  ActionDispatch.msg ActionFeedback.msg AlignmentState.msg AlternativeGoal.msg Candidate.msg
+  Conflict.msg Fluent.msg HumanTask.msg Plan.msg PlanStep.msg Question.msg)
+add_service_files(DIRECTORY srv FILES
+  Answer.srv AskHuman.srv Explain.srv GetState.srv SetFacts.srv Validate.srv)
+add_action_files(DIRECTORY action FILES Align.action ExecutePlan.action)
+generate_messages(DEPENDENCIES actionlib_msgs diagnostic_msgs std_msgs)
+
+catkin_package(
+  INCLUDE_DIRS include
+  LIBRARIES goal_alignment_core
+  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs message_runtime roscpp roslib std_msgs
+  DEPENDS Boost)
+
+# The core was declared before catkin said where libraries go.
+set_target_properties(goal_alignment_core PROPERTIES
+  ARCHIVE_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_LIB_DESTINATION}
+  LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_LIB_DESTINATION})
+
+function(goal_alignment_ros_target target)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_include_directories(${target} SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow)
+  add_dependencies(${target} ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
+endfunction()
+
+# Floor 8.
+file(GLOB ros_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/ros_interface/*.cpp)
+add_library(goal_alignment_ros STATIC ${ros_sources})
+goal_alignment_ros_target(goal_alignment_ros)
+target_link_libraries(goal_alignment_ros PUBLIC goal_alignment_core ${catkin_LIBRARIES}
+  PRIVATE fmt::fmt yaml-cpp)
+
+file(GLOB execution_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/execution/*.cpp)
+add_library(goal_alignment_execution STATIC ${execution_sources})
+goal_alignment_ros_target(goal_alignment_execution)
+target_link_libraries(goal_alignment_execution PUBLIC ${catkin_LIBRARIES} PRIVATE fmt::fmt)
+
+# Floor 9: one small main a program.
+set(goal_alignment_nodes
+  goal_alignment_node console_dialogue scripted_dialogue simulated_executor demo_task)
+foreach(node IN LISTS goal_alignment_nodes)
+  add_executable(${node} src/nodes/${node}.cpp)
+  goal_alignment_ros_target(${node})
+  target_link_libraries(${node} PRIVATE goal_alignment_ros goal_alignment_execution fmt::fmt)
+endforeach()
+
+install(TARGETS goal_alignment_core
+  ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+  LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+install(TARGETS hagl ${goal_alignment_nodes} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
+install(DIRECTORY launch config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+
+if(CATKIN_ENABLE_TESTING AND GOAL_ALIGNMENT_TESTS)
+  include(cmake/ros_tests.cmake)
+endif()

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Unit tests that need messages, scenarios in a ROS graph, launch files.
+find_package(rostest REQUIRED)
+find_package(roslaunch REQUIRED)
+
+file(GLOB ros_unit_tests CONFIGURE_DEPENDS
+  ${PROJECT_SOURCE_DIR}/test/unit/ros_interface/*_test.cpp
+  ${PROJECT_SOURCE_DIR}/test/unit/execution/*_test.cpp)
+catkin_add_gtest(goal_alignment_ros_unit_tests ${ros_unit_tests})
+goal_alignment_ros_target(goal_alignment_ros_unit_tests)
+target_link_libraries(goal_alignment_ros_unit_tests
+  goal_alignment_ros goal_alignment_execution GTest::gtest_main)
+
+# One program for all scenarios; each .test file starts its own graph and picks its own.
+file(GLOB scenario_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/ros/*.cpp)
+add_executable(goal_alignment_scenarios EXCLUDE_FROM_ALL ${scenario_sources})
+goal_alignment_ros_target(goal_alignment_scenarios)
+target_compile_definitions(goal_alignment_scenarios PRIVATE
+  NODE_FOLDER="${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION}")
+target_link_libraries(goal_alignment_scenarios ${catkin_LIBRARIES} GTest::gtest util)
+add_dependencies(tests goal_alignment_scenarios)
+
+file(GLOB scenarios CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/ros/*.test)
+foreach(scenario IN LISTS scenarios)
+  add_rostest(${scenario} DEPENDENCIES goal_alignment_scenarios ${goal_alignment_nodes})
+endforeach()
+
+roslaunch_add_file_check(launch USE_TEST_DEPENDENCIES DEPENDENCIES ${goal_alignment_nodes})

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Names in the ROS graph that belong to the execution of plans; each stands here alone.
+namespace goal_alignment::execution {
+
+constexpr const char* kExecutePlanAction = "execute_plan";
+constexpr const char* kActionDispatchTopic = "action_dispatch";
+constexpr const char* kActionFeedbackTopic = "action_feedback";
+
+constexpr const char* kStepDurationParameter = "step_duration";
+constexpr const char* kFailingStepParameter = "failing_step";
+
+}  // namespace goal_alignment::execution

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "goal_alignment/ros_interface/announcer.h"
+#include "goal_alignment/ros_interface/ask_human_client.h"
+#include "goal_alignment/ros_interface/goal_ticket.h"
+#include "goal_alignment/ros_interface/message_conversion.h"
+#include "goal_alignment/ros_interface/node_options.h"
+#include "goal_alignment/ros_interface/question_bridge.h"
+#include "goal_alignment/session/session.h"
+
+namespace goal_alignment::ros_interface {
+
+/// Takes one goal after the other through a session, from the solver thread, and keeps the last
+/// session for goals that continue it.
+class AlignmentRunner {
+ public:
+  AlignmentRunner(ros::NodeHandle private_node, Announcer& announcer, QuestionBridge& bridge,
+                  AskHumanClient& ask_human);
+
+  /// Ends the goal, whatever happens. Of the solver thread.
+  void run(GoalTicket& ticket);
+
+  /// Claims the goal for a cancel and stops the work on it; false: it has ended already. The caller
+  /// concludes it. Of any thread.
+  bool stop(GoalTicket& ticket);
+
+ private:
+  using Clock = QuestionBridge::Clock;
+
+  // A session and what the node knows about it.
+  struct Kept {
+    std::string id;
+    std::string person;
+    std::string task_id;
+    std::shared_ptr<session::Session> session;
+    phrasing::Phrases phrases;
+    AnswerTimes times;
+    NodeOptions options;
+    double waiting_time = 0;     // seconds, of the goal under way
+    double thinking_before = 0;  // seconds, of earlier goals
+    std::size_t calls_before = 0;
+    std::size_t questions_before = 0;
+    std::string told_break;  // what was said about the human's plan
+  };
+
+  // Before the goal is accepted; they throw.
+  void prepare(const AlignGoal& goal);
+  void begin(const AlignGoal& goal, const NodeOptions& options);
+  void continueSession(const AlignGoal& goal, const NodeOptions& options);
+  std::vector<Literal> candidatesOf(const std::vector<Fluent>& fluents,
+                                    const std::string& field) const;
+  void warnAboutUnknown(const NodeOptions& options);
+
+  void loop(GoalTicket& ticket);
+  bool hasEnded();
+  void applyAnswers();
+  session::Receipt apply(const AcceptedAnswer& answer);
+  bool isAnswered(const Literal& fluent) const;
+  void waitForAnswer(GoalTicket& ticket);
+  void openQuestion(GoalTicket& ticket);
+  void closeQuestion();
+  bool claimOutcome(GoalTicket& ticket);
+  void conclude(GoalTicket& ticket);
+  void refuse(GoalTicket& ticket, const session::Outcome& outcome);
+
+  void report(GoalTicket& ticket, const std::string& message);
+  AlignmentState stateMessage(const std::string& message) const;
+  AlignResult figures() const;
+  std::string spoken(const std::vector<Literal>& fluents) const;
+  std::string storyOf(const AlignGoal& goal) const;
+
+  ros::NodeHandle private_node_;
+  Announcer& announcer_;
+  QuestionBridge& bridge_;
+  AskHumanClient& ask_human_;
+  Kept kept_;
+  Question open_;  // question_id 0: none
+  std::set<Literal> open_fluents_;
+  std::int32_t plans_ = 0;
+  std::set<std::string> warned_about_;
+
+  std::mutex running_mutex_;             // a goal ends by its outcome or by a cancel, never both
+  const GoalTicket* running_ = nullptr;  // whose session kept_.session is
+};
+
+}  // namespace goal_alignment::ros_interface

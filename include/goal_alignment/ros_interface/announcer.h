@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/time.h>
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+#include "goal_alignment/AlignmentState.h"
+#include "goal_alignment/Plan.h"
+#include "goal_alignment/Question.h"
+
+namespace goal_alignment::ros_interface {
+
+/// The node's topics. Thread-safe.
+class Announcer {
+ public:
+  explicit Announcer(ros::NodeHandle private_node);
+
+  void publish(AlignmentState state);
+  void publish(Plan plan);
+  /// Returns the question as it went out, stamped.
+  Question publish(Question question);
+  void publishNoQuestion();
+  /// One line for people, on ~events and in the log.
+  void tell(const std::string& line);
+
+  /// As last published.
+  AlignmentState state() const;
+
+ private:
+  mutable std::mutex mutex_;  // guards the three below
+  AlignmentState state_;
+  ros::Time question_stamp_;
+  std::uint32_t question_seq_ = 0;
+  ros::Publisher states_;
+  ros::Publisher plans_;
+  ros::Publisher questions_;
+  ros::Publisher events_;
+};
+
+}  // namespace goal_alignment::ros_interface

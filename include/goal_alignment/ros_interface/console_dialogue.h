@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+
+#include <array>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "goal_alignment/AskHuman.h"
+#include "goal_alignment/ros_interface/line_reader.h"
+#include "goal_alignment/ros_interface/question_watch.h"
+
+namespace goal_alignment::ros_interface {
+
+/// What a person typed, understood.
+struct Reply {
+  std::int8_t answer = AskHuman::Response::NONE;
+  std::vector<std::size_t> chosen;  ///< indices into the question's fluents; empty: all of them
+};
+
+/// `y`, `n`, `?`, `d` and their long forms in any case; for a group of fluents also the numbers of
+/// those that matter, from 1. Nothing where the line is none of these.
+std::optional<Reply> parseReply(const std::string& line, std::size_t fluents);
+
+/// Answers `ask_human` by asking a person in a terminal. Leaves a question at once when `~question`
+/// shows that it is over; ends at the end of input and at shutdown, even while it waits for a line.
+class ConsoleDialogue {
+ public:
+  ConsoleDialogue(ros::NodeHandle node, int input, std::ostream& out);
+  ~ConsoleDialogue();
+
+  /// Talks to the person until the input ends or the node shuts down. The calling thread alone
+  /// reads and writes the terminal; callbacks must run in others.
+  void run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool ask(AskHuman::Request& request, AskHuman::Response& response);
+  void wake() const;
+  void showNewQuestion();
+  void leaveQuestionIfGone();
+  void treatLine(const std::string& line);
+  void finish(const Reply& reply);
+  void sayGoodbye();
+  bool cameTooEarly() const;
+
+  std::ostream& out_;
+  std::array<int, 2> wake_pipe_;
+  LineReader lines_;
+
+  std::mutex asking_;  // one question at a time, whoever asks
+  std::mutex mutex_;   // guards the four below
+  std::condition_variable answered_;
+  std::optional<Question> question_;
+  std::optional<Reply> reply_;
+  bool ended_ = false;
+
+  // Of the terminal's thread alone.
+  std::uint32_t shown_id_ = 0;
+  bool replaced_another_ = false;  // the question before this one vanished under the person's hands
+  Clock::time_point shown_at_;
+
+  QuestionWatch watch_;
+  ros::ServiceServer service_;
+};
+
+}  // namespace goal_alignment::ros_interface

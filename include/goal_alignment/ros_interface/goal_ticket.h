@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/server/action_server.h>
+
+#include <atomic>
+#include <mutex>
+#include <string>
+
+#include "goal_alignment/AlignAction.h"
+
+namespace goal_alignment::ros_interface {
+
+/// One goal on its way through the node. It ends once: whoever claims it first, the solver thread
+/// with an outcome or a callback with a cancel, says how. Thread-safe.
+class GoalTicket {
+ public:
+  using Handle = actionlib::ServerGoalHandle<AlignAction>;
+
+  explicit GoalTicket(Handle handle);
+
+  const AlignGoal& goal() const { return *goal_; }
+  std::string id() const { return handle_.getGoalID().id; }
+  bool isFor(const Handle& handle) const { return handle_ == handle; }
+
+  /// A cancel for it came before we could remember it.
+  bool cancelOvertookIt() const;
+
+  /// It is being worked on; from now on it can't be rejected, only aborted.
+  void accept();
+  void publishFeedback(const AlignFeedback& feedback);
+  /// What a cancel should report, apart from the outcome.
+  void setInterim(const AlignResult& interim);
+  AlignResult interim() const;
+
+  bool ended() const { return claimed_; }
+  /// True for one caller, who must conclude().
+  bool claim() { return !claimed_.exchange(true); }
+  /// Sends the result, with the goal status that its outcome asks for.
+  void conclude(AlignResult result);
+
+ private:
+  Handle handle_;
+  boost::shared_ptr<const AlignGoal> goal_;
+  std::atomic<bool> claimed_{false};
+  mutable std::mutex mutex_;  // guards the two below
+  bool accepted_ = false;
+  AlignResult interim_;
+};
+
+}  // namespace goal_alignment::ros_interface

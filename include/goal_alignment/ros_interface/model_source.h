@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "goal_alignment/AlignGoal.h"
+#include "goal_alignment/phrasing/phrases.h"
+#include "goal_alignment/ros_interface/node_options.h"
+#include "goal_alignment/session/options.h"
+#include "goal_alignment/session/session.h"
+
+namespace goal_alignment::ros_interface {
+
+/// A field of an Align goal that can't be used; what() names it.
+class GoalError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The models and the task of a goal, wherever it says they are. Reads files; parses nothing.
+/// Throws GoalError, ParameterError, or pddl::InputError for a file that can't be read.
+session::Input inputOf(const AlignGoal& goal, const NodeOptions& options);
+
+/// The session's options: the parameters, with what the goal says about them. Throws GoalError.
+session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options);
+
+/// The templates of the `phrases` parameter; none for "". Throws std::runtime_error.
+phrasing::Phrases phrasesOf(const NodeOptions& options);
+
+}  // namespace goal_alignment::ros_interface

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <XmlRpcValue.h>
+#include <ros/node_handle.h>
+
+#include <string>
+#include <vector>
+
+#include "goal_alignment/ros_interface/parameter_reader.h"
+#include "goal_alignment/session/options.h"
+
+namespace goal_alignment::ros_interface {
+
+/// All parameters of goal_alignment_node, read anew for every goal. README.md's table and
+/// config/goal_alignment.yaml list them in this order.
+struct NodeOptions {
+  // Files, absolute or relative to the package's folder; "" where a goal brings its own models.
+  std::string robot_domain;
+  std::string robot_problem;
+  std::string human_domain;
+  std::string human_problem;
+  std::string phrases;  ///< YAML templates; "": fluents are read out as they are written
+
+  /// policy, seed (0 … 2^31-1), belief (normalised, raw, flat:P), beta (0 … 1000), kappa
+  /// (0.001 … 1000), conflicts (lazy, full), unsure_policy (as-yes, defer, abort), plan (first,
+  /// optimal), costs, static_candidates, time_limit (seconds of thinking, 0.01 … 86400, default
+  /// 300), memory_limit (MiB, 16 … 1048576, default 2048), max_questions (-1: no limit).
+  session::Options session;
+
+  double ask_timeout = 0;  ///< seconds to wait for one answer, 0 … 604800; 0: for ever
+
+  std::vector<std::string> unknown;  ///< private parameters that nobody reads
+
+  NodeOptions();
+
+  /// Reads the private namespace of a node with one call to the parameter server.
+  static NodeOptions read(const ros::NodeHandle& private_node);
+
+  /// The same from values at hand: a struct, or an invalid value for no parameters at all.
+  /// Throws ParameterError at the first fault.
+  static NodeOptions read(const XmlRpc::XmlRpcValue& values, const std::string& ns);
+};
+
+}  // namespace goal_alignment::ros_interface

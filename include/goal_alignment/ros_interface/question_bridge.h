@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "goal_alignment/Answer.h"
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/ros_interface/question_ids.h"
+#include "goal_alignment/session/session.h"
+
+namespace goal_alignment::ros_interface {
+
+/// An answer that was accepted and waits for the solver thread.
+struct AcceptedAnswer {
+  std::vector<Literal> fluents;
+  session::AnswerKind kind = session::AnswerKind::No;
+  std::string answered_by;
+  std::uint32_t question_id = 0;  ///< the open question it was given to; 0: volunteered or revised
+};
+
+/// Where answers meet questions. Callback threads submit answers and learn at once whether they
+/// are taken; the solver thread opens questions, waits, and takes the answers out. What is
+/// refused is decided against a snapshot of the candidates, on which answers already accepted
+/// count, so that of two answerers who race one is told that they were too late.
+class QuestionBridge {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit QuestionBridge(QuestionIds ids, std::function<Clock::time_point()> now = Clock::now);
+
+  // Of the solver thread.
+
+  /// A session begins, or goes on with the answers revised since its outcome. Its candidates are
+  /// not known until update().
+  void beginSession(const std::string& session_id);
+  /// Nothing can be answered until the next session, only revised. Answers not taken are dropped.
+  void endSession();
+  /// The same unless an accepted answer still waits to be taken: then false.
+  bool endSessionIfIdle();
+  /// The candidates as the session sees them, after every step.
+  void update(const session::Snapshot& snapshot);
+  /// Opens a question and returns its id.
+  std::uint32_t open(const std::vector<Literal>& fluents);
+  void close();
+  std::vector<AcceptedAnswer> take();
+  enum class Wake { Answer, Interrupt, TimedOut };
+  /// Waits in wall time for an answer, for interrupt(), or until the deadline.
+  Wake wait(Clock::time_point deadline);
+
+  // Of any thread.
+
+  /// Ends the wait under way, or the next one.
+  void interrupt();
+  session::Receipt submit(const Answer::Request& request);
+  /// For ~revise_answer: changes earlier answers or gives first ones, also after the outcome.
+  struct Revision {
+    session::Receipt receipt;
+    std::string continue_session;  ///< where the session has ended: which one has to go on
+  };
+  Revision revise(const Answer::Request& request);
+  /// 0: none is open.
+  std::uint32_t openId() const;
+
+ private:
+  struct OpenQuestion {
+    std::uint32_t id = 0;
+    std::set<Literal> fluents;
+    bool replaced_another = false;
+    Clock::time_point opened;
+  };
+
+  // All below need mutex_. They return why not; empty: nothing speaks against it.
+  std::string refusalOfQuestion(const Answer::Request& request) const;
+  std::string refusalOfFluents(const std::vector<Literal>& fluents, std::uint32_t question_id,
+                               bool revising) const;
+  std::string refusalOfFluent(const Literal& fluent, bool revising) const;
+  session::Receipt accept(AcceptedAnswer answer);
+  void count(const AcceptedAnswer& answer);
+  void closeOpen(bool answered);
+
+  const std::function<Clock::time_point()> now_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  QuestionIds ids_;
+  bool under_way_ = false;
+  bool interrupted_ = false;
+  std::string session_id_;
+  std::optional<OpenQuestion> open_;
+  std::string last_session_;  // of the question before
+  bool last_answered_ = false;
+  std::optional<Clock::time_point> last_closed_;
+  bool candidates_known_ = false;
+  std::set<Literal> specified_;
+  std::map<Literal, session::CandidateState> candidates_;
+  std::vector<AcceptedAnswer> accepted_;
+};
+
+}  // namespace goal_alignment::ros_interface

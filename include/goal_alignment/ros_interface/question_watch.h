@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+
+#include "goal_alignment/Question.h"
+
+namespace goal_alignment::ros_interface {
+
+/// Tells a dialogue node that the question it was asked is no longer open, because another
+/// answerer was faster or the task ended. Thread-safe.
+class QuestionWatch {
+ public:
+  /// `changed` is called from a callback thread after every message; it may be empty.
+  explicit QuestionWatch(ros::NodeHandle node, std::function<void()> changed = {});
+
+  bool isGone(const Question& asked) const;
+
+  /// Waits in wall time; true as soon as the question is gone or the node shuts down.
+  bool waitUntilGone(const Question& asked, std::chrono::duration<double> at_most) const;
+
+ private:
+  void show(const Question::ConstPtr& question);
+
+  std::function<void()> changed_;
+  mutable std::mutex mutex_;
+  mutable std::condition_variable shown_changed_;
+  Question shown_;  // question_id 0 until the first message
+  ros::Subscriber subscriber_;
+};
+
+/// Whether `shown` on ~question means that `asked` is over. Ids only grow; a request may come
+/// before the message that shows it, so an older id, or an older "none is open", proves nothing.
+bool endsQuestion(const Question& shown, const Question& asked);
+
+}  // namespace goal_alignment::ros_interface

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <deque>
+#include <iosfwd>
+#include <mutex>
+#include <string>
+
+#include "goal_alignment/AlignFeedback.h"
+#include "goal_alignment/AlignResult.h"
+#include "goal_alignment/AlignmentState.h"
+#include "goal_alignment/ExecutePlanResult.h"
+#include "goal_alignment/HumanTask.h"
+#include "goal_alignment/Plan.h"
+#include "goal_alignment/Question.h"
+#include "goal_alignment/phrasing/phrases.h"
+
+namespace goal_alignment::ros_interface {
+
+/// Tells one alignment in plain English, in its right order although its messages come on several
+/// topics: the task, where the person's plan breaks for the robot, each question with its reason
+/// and then its answer, the outcome, the steps, and what is guaranteed. Thread-safe.
+class TaskStory {
+ public:
+  /// `tell_questions` false: a dialogue in the same terminal shows them.
+  TaskStory(std::ostream& out, phrasing::Phrases phrases, bool tell_questions = true);
+
+  void begin(const HumanTask& task);
+  void hear(const AlignFeedback& feedback);
+  void hear(const AlignmentState& state);
+  void hear(const AlignResult& result);
+  void hearStep(const Plan& plan, std::size_t index);
+  void hearEnd(const Plan& plan, const ExecutePlanResult& result);
+
+ private:
+  // All below need mutex_.
+  void tellBreak();
+  void tellDialogue();
+  void tellQuestion(const Question& question);
+  bool tellAnswer(const Question& question);
+  void tellPlan(const Plan& plan);
+  void tellFailure(const AlignResult& result);
+  std::string stepText(const ActionDispatch& step) const;
+
+  std::mutex mutex_;
+  std::ostream& out_;
+  phrasing::Phrases phrases_;
+  bool tell_questions_;
+  std::string person_ = "the person";
+  std::string session_;  // known from the first question or the result
+  AlignmentState state_;
+  bool told_break_ = false;
+  bool had_plan_ = false;
+  bool told_question_ = false;  // the first of questions_
+  std::deque<Question> questions_;
+  std::uint32_t last_id_ = 0;
+  std::size_t told_steps_ = 0;
+};
+
+}  // namespace goal_alignment::ros_interface

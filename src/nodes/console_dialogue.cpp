@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Answers ask_human by asking a person in this terminal.
+#include "goal_alignment/ros_interface/console_dialogue.h"
+
+#include <ros/ros.h>
+#include <unistd.h>
+
+#include <iostream>
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "console_dialogue");
+  goal_alignment::ros_interface::ConsoleDialogue dialogue(ros::NodeHandle{}, STDIN_FILENO,
+                                                          std::cout);
+  // Two askers may wait in callbacks while a third thread hears that a question is over.
+  ros::AsyncSpinner spinner(3);
+  spinner.start();
+  dialogue.run();
+  ros::shutdown();
+  spinner.stop();
+}

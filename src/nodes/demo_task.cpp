@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sends a task from a YAML file, tells what happens to it, and has its plan executed. Exit status
+// 0: the plan was found and carried out.
+#include <actionlib/client/simple_action_client.h>
+#include <ros/ros.h>
+
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+#include "goal_alignment/AlignAction.h"
+#include "goal_alignment/ExecutePlanAction.h"
+#include "goal_alignment/execution/names.h"
+#include "goal_alignment/pddl/source_position.h"
+#include "goal_alignment/ros_interface/node_constants.h"
+#include "goal_alignment/ros_interface/package_files.h"
+#include "goal_alignment/ros_interface/task_file.h"
+#include "goal_alignment/ros_interface/task_story.h"
+
+namespace {
+
+using namespace goal_alignment;  // NOLINT(google-build-using-namespace): a main of one file
+using ros_interface::TaskStory;
+
+constexpr double kServerPatience = 60;  // seconds until the other nodes must be there
+constexpr double kPollPeriod = 0.02;    // seconds
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void interrupt(int /*signal*/) {
+  interrupted = 1;
+}
+
+bool goesOn() {
+  return ros::ok() && interrupted == 0;
+}
+
+phrasing::Phrases phrasesOf(const std::string& file) {
+  if (file.empty()) return {};
+  const pddl::Source source = pddl::readFile(ros_interface::resolveFile(file));
+  return phrasing::Phrases::fromYaml(source.text, source.name);
+}
+
+template <typename Client>
+void waitForServer(const Client& client, const std::string& name) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kServerPatience);
+  while (!client.isServerConnected()) {
+    if (!goesOn()) throw std::runtime_error("interrupted");
+    if (ros::WallTime::now() > end) throw std::runtime_error("nobody offers " + name);
+    ros::WallDuration(kPollPeriod).sleep();
+  }
+}
+
+// Not waitForResult(), which would not notice an interrupt.
+template <typename Client>
+void waitForResult(Client& client) {
+  while (!client.getState().isDone()) {
+    if (!goesOn()) {
+      client.cancelGoal();
+      ros::WallDuration(kPollPeriod).sleep();  // lets the cancel out
+      throw std::runtime_error("interrupted");
+    }
+    ros::WallDuration(kPollPeriod).sleep();
+  }
+}
+
+Plan align(ros::NodeHandle& node, TaskStory& story, const HumanTask& task) {
+  using Client = actionlib::SimpleActionClient<AlignAction>;
+  const boost::function<void(const AlignmentState::ConstPtr&)> hear_state =
+      [&story](const AlignmentState::ConstPtr& state) { story.hear(*state); };
+  const ros::Subscriber states =
+      node.subscribe<AlignmentState>(ros_interface::kAlignerStateTopic, 100, hear_state);
+  Client client(node, ros_interface::kAlignerAlignAction, false);
+  waitForServer(client, ros_interface::kAlignerAlignAction);
+  AlignGoal goal;
+  goal.task = task;
+  goal.source = AlignGoal::PARAMS;
+  goal.max_questions = -1;
+  client.sendGoal(goal, {}, {},
+                  [&story](const AlignFeedback::ConstPtr& feedback) { story.hear(*feedback); });
+  waitForResult(client);
+  const auto result = client.getResult();
+  if (!result) throw std::runtime_error("the alignment gave no result");
+  story.hear(*result);
+  if (result->outcome != AlignResult::SUCCESS) throw std::runtime_error("there is no plan");
+  return result->plan;
+}
+
+void execute(ros::NodeHandle& node, TaskStory& story, const Plan& plan) {
+  using Client = actionlib::SimpleActionClient<ExecutePlanAction>;
+  Client client(node, execution::kExecutePlanAction, false);
+  waitForServer(client, execution::kExecutePlanAction);
+  ExecutePlanGoal goal;
+  goal.plan = plan;
+  client.sendGoal(goal, {}, {}, [&](const ExecutePlanFeedback::ConstPtr& feedback) {
+    if (feedback->step >= 0) story.hearStep(plan, static_cast<std::size_t>(feedback->step));
+  });
+  waitForResult(client);
+  const auto result = client.getResult();
+  if (!result) throw std::runtime_error("the executor gave no result");
+  story.hearEnd(plan, *result);
+  if (result->outcome != ExecutePlanResult::SUCCESS) {
+    throw std::runtime_error("the plan was not carried out");
+  }
+}
+
+void run() {
+  ros::NodeHandle node;
+  const ros::NodeHandle private_node("~");
+  const HumanTask task = ros_interface::taskOfFile(private_node.param<std::string>("task", ""));
+  TaskStory story(std::cout, phrasesOf(private_node.param<std::string>("phrases", "")),
+                  !private_node.param("interactive", false));
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  story.begin(task);
+  execute(node, story, align(node, story, task));
+  spinner.stop();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "demo_task", ros::init_options::NoSigintHandler);
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  try {
+    run();
+  } catch (const std::exception& error) {
+    std::cerr << "demo_task: " << error.what() << std::endl;
+    return 1;
+  }
+}

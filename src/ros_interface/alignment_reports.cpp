@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the runner says about the session under way.
+#include <fmt/format.h>
+
+#include "goal_alignment/ros_interface/alignment_runner.h"
+
+namespace goal_alignment::ros_interface {
+
+void AlignmentRunner::report(GoalTicket& ticket, const std::string& message) {
+  const std::string plan_break = kept_.session->humanPlanInRobotModel();
+  if (plan_break != kept_.told_break && !plan_break.empty()) {
+    announcer_.tell("the human's plan in the robot's model: " + plan_break);
+  }
+  kept_.told_break = plan_break;
+
+  const AlignmentState state = stateMessage(message);
+  announcer_.publish(state);
+  AlignFeedback feedback;
+  feedback.phase = state.phase;
+  feedback.progress = state.progress;
+  feedback.question = open_;
+  feedback.questions_asked = state.questions_asked;
+  feedback.max_remaining = state.max_remaining;
+  ticket.publishFeedback(feedback);
+  ticket.setInterim(figures());
+}
+
+AlignmentState AlignmentRunner::stateMessage(const std::string& message) const {
+  AlignmentState state = toMessage(kept_.session->snapshot(), kept_.phrases, kept_.times);
+  state.session_id = kept_.id;
+  state.message = message;
+  state.human_plan_break = kept_.told_break;
+  return state;
+}
+
+AlignResult AlignmentRunner::figures() const {
+  const session::Snapshot snapshot = kept_.session->snapshot();
+  const session::Statistics& statistics = kept_.session->statistics();
+  AlignResult result;
+  result.failing_step = -1;
+  result.session_id = kept_.id;
+  result.candidates = toMessage(snapshot, kept_.phrases, kept_.times).candidates;
+  result.questions = static_cast<std::uint32_t>(snapshot.questions_asked - kept_.questions_before);
+  result.planner_calls = static_cast<std::uint32_t>(statistics.planner_calls - kept_.calls_before);
+  result.thinking_time = statistics.total - kept_.thinking_before;
+  result.waiting_time = kept_.waiting_time;
+  return result;
+}
+
+std::string AlignmentRunner::spoken(const std::vector<Literal>& fluents) const {
+  std::string text;
+  for (const Literal& fluent : fluents) {
+    text += (text.empty() ? "" : "; ") + kept_.phrases.clause(fluent);
+  }
+  return text;
+}
+
+std::string AlignmentRunner::storyOf(const AlignGoal& goal) const {
+  if (!goal.continue_session.empty()) {
+    return fmt::format("session {} goes on", goal.continue_session);
+  }
+  std::string text = "task";
+  if (!goal.task.task_id.empty()) text += " " + goal.task.task_id;
+  if (!goal.task.person.empty()) text += " from " + goal.task.person;
+  text += goal.task.goal.empty() ? ": the goal of the problem files"
+                                 : ": " + spoken(toLiterals(goal.task.goal, "task.goal"));
+  return text + fmt::format(", with a plan of {} steps", goal.task.plan.size());
+}
+
+}  // namespace goal_alignment::ros_interface

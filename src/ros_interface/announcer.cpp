@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/announcer.h"
+
+#include <ros/console.h>
+#include <std_msgs/String.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "goal_alignment/ros_interface/node_constants.h"
+#include "goal_alignment/ros_interface/stamp.h"
+
+namespace goal_alignment::ros_interface {
+
+Announcer::Announcer(ros::NodeHandle private_node)
+    : states_(private_node.advertise<AlignmentState>(kStateTopic, kStateQueueSize, true)),
+      plans_(private_node.advertise<Plan>(kPlanTopic, kStateQueueSize, true)),
+      questions_(private_node.advertise<Question>(kQuestionTopic, kStateQueueSize, true)),
+      events_(private_node.advertise<std_msgs::String>(kEventsTopic, kEventQueueSize)) {
+  publish(AlignmentState{});
+  publishNoQuestion();
+}
+
+void Announcer::publish(AlignmentState state) {
+  state.header.stamp = stampNow();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  // roscpp counts what it publishes, but not what a service hands out.
+  state.header.seq = state_.header.seq + 1;
+  state_ = std::move(state);
+  states_.publish(state_);
+}
+
+void Announcer::publish(Plan plan) {
+  plan.header.stamp = stampNow();
+  plans_.publish(plan);
+}
+
+Question Announcer::publish(Question question) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  // Dialogue nodes tell by the stamp whether "none is open" came after their question, so stamps
+  // grow even while a simulated clock stands still.
+  question_stamp_ = std::max(stampNow(), question_stamp_ + ros::Duration(0, 1));
+  question.header.stamp = question_stamp_;
+  question.header.seq = ++question_seq_;
+  questions_.publish(question);
+  return question;
+}
+
+void Announcer::publishNoQuestion() {
+  publish(Question{});
+}
+
+void Announcer::tell(const std::string& line) {
+  std_msgs::String message;
+  message.data = line;
+  std::replace(message.data.begin(), message.data.end(), '\n', ' ');
+  events_.publish(message);
+  ROS_INFO("%s", message.data.c_str());
+}
+
+AlignmentState Announcer::state() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return state_;
+}
+
+}  // namespace goal_alignment::ros_interface

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/ask_human_client.h"
+
+#include <fmt/format.h>
+#include <ros/service.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "goal_alignment/AskHuman.h"
+#include "goal_alignment/ros_interface/node_constants.h"
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+constexpr std::chrono::milliseconds kRetryPause{500};
+constexpr std::chrono::seconds kPatienceAtTheEnd{2};
+
+}  // namespace
+
+struct AskHumanClient::Shared {
+  ros::NodeHandle node;
+  Deliver deliver;
+  Complain complain;
+
+  std::mutex mutex;  // guards all below
+  std::condition_variable changed;
+  std::optional<Question> question;  // the open one, until it was answered through us
+  bool stop = false;
+  bool finished = false;
+
+  void run();
+  // The next question to ask, or nothing at the end.
+  std::optional<Question> await();
+  void treat(const Question& asked, const AskHuman::Response& response);
+  // Waits before the same question is tried again; ends early when it changes.
+  void pause(const Question& asked);
+  bool stillOpen(const Question& asked) const {
+    return !stop && question && question->question_id == asked.question_id;
+  }
+};
+
+AskHumanClient::AskHumanClient(ros::NodeHandle node, Deliver deliver, Complain complain)
+    : shared_(std::make_shared<Shared>()) {
+  shared_->node = std::move(node);
+  shared_->deliver = std::move(deliver);
+  shared_->complain = std::move(complain);
+  std::thread([shared = shared_] { shared->run(); }).detach();
+}
+
+AskHumanClient::~AskHumanClient() {
+  std::unique_lock<std::mutex> lock(shared_->mutex);
+  shared_->stop = true;
+  shared_->changed.notify_all();
+  shared_->changed.wait_for(lock, kPatienceAtTheEnd, [this] { return shared_->finished; });
+}
+
+void AskHumanClient::ask(const Question& question) {
+  const std::lock_guard<std::mutex> lock(shared_->mutex);
+  shared_->question = question;
+  shared_->changed.notify_all();
+}
+
+void AskHumanClient::withdraw() {
+  const std::lock_guard<std::mutex> lock(shared_->mutex);
+  shared_->question.reset();
+  shared_->changed.notify_all();
+}
+
+void AskHumanClient::Shared::run() {
+  while (const auto asked = await()) {
+    AskHuman call;
+    call.request.question = *asked;
+    // Not persistent: the next call may go to another node.
+    const bool answered = ros::service::exists(node.resolveName(kAskHumanService), false) &&
+                          node.serviceClient<AskHuman>(kAskHumanService).call(call);
+    if (answered) treat(*asked, call.response);
+    pause(*asked);
+  }
+  const std::lock_guard<std::mutex> lock(mutex);
+  finished = true;
+  changed.notify_all();
+}
+
+std::optional<Question> AskHumanClient::Shared::await() {
+  std::unique_lock<std::mutex> lock(mutex);
+  changed.wait(lock, [this] { return stop || question.has_value(); });
+  if (stop) return std::nullopt;
+  return question;
+}
+
+void AskHumanClient::Shared::treat(const Question& asked, const AskHuman::Response& response) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (stop || response.answer == AskHuman::Response::NONE) return;
+  }
+  Answer::Request request;
+  request.answer = response.answer;
+  // A dialogue that names no id means the question it was asked, not whichever is open by now.
+  request.question_id = response.question_id == 0 ? asked.question_id : response.question_id;
+  request.fluents = response.fluents;
+  request.answered_by = response.answered_by;
+  const session::Receipt receipt = deliver(request);
+  if (!receipt.accepted) {
+    complain(fmt::format("an answer from {} was refused: {}", node.resolveName(kAskHumanService),
+                         receipt.message));
+    return;
+  }
+  // Answered in part: the others of the group are asked about anew when the question changes.
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (stillOpen(asked)) question.reset();
+}
+
+void AskHumanClient::Shared::pause(const Question& asked) {
+  std::unique_lock<std::mutex> lock(mutex);
+  changed.wait_for(lock, kRetryPause, [&] { return !stillOpen(asked); });
+}
+
+}  // namespace goal_alignment::ros_interface

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/model_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "goal_alignment/ros_interface/message_conversion.h"
+#include "goal_alignment/ros_interface/package_files.h"
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+pddl::Source fromFile(const std::string& file, const std::string& what) {
+  if (file.empty()) throw GoalError(what + " names no file");
+  return pddl::readFile(resolveFile(file));
+}
+
+void readModels(const AlignGoal& goal, const NodeOptions& options, session::Input& input) {
+  switch (goal.source) {
+    case AlignGoal::PARAMS:
+      input.robot_domain = fromFile(options.robot_domain, "parameter ~robot_domain");
+      input.robot_problem = fromFile(options.robot_problem, "parameter ~robot_problem");
+      input.human_domain = fromFile(options.human_domain, "parameter ~human_domain");
+      input.human_problem = fromFile(options.human_problem, "parameter ~human_problem");
+      return;
+    case AlignGoal::FILES:
+      input.robot_domain = fromFile(goal.robot_domain, "robot_domain");
+      input.robot_problem = fromFile(goal.robot_problem, "robot_problem");
+      input.human_domain = fromFile(goal.human_domain, "human_domain");
+      input.human_problem = fromFile(goal.human_problem, "human_problem");
+      return;
+    case AlignGoal::TEXT:
+      input.robot_domain = {"robot_domain", goal.robot_domain};
+      input.robot_problem = {"robot_problem", goal.robot_problem};
+      input.human_domain = {"human_domain", goal.human_domain};
+      input.human_problem = {"human_problem", goal.human_problem};
+      return;
+    default:
+      throw GoalError(
+          fmt::format("source is {}: expected PARAMS=0, FILES=1 or TEXT=2", int{goal.source}));
+  }
+}
+
+// -1 is no limit, so the smaller of two limits is the smaller as unsigned numbers.
+int smallerLimit(int a, int b) {
+  return static_cast<int>(std::min(static_cast<unsigned>(a), static_cast<unsigned>(b)));
+}
+
+}  // namespace
+
+session::Input inputOf(const AlignGoal& goal, const NodeOptions& options) {
+  session::Input input;
+  try {
+    input.goal = toLiterals(goal.task.goal, "task.goal");
+    input.human_plan = toActions(goal.task.plan, "task.plan");
+  } catch (const std::invalid_argument& error) {
+    throw GoalError(error.what());
+  }
+  readModels(goal, options, input);
+  return input;
+}
+
+session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options) {
+  session::Options result = options.session;
+  const double time_limit = goal.time_limit.toSec();
+  if (time_limit < 0)
+    throw GoalError(fmt::format("time_limit is {} s: it is negative", time_limit));
+  if (time_limit > 0) result.time_limit = time_limit;
+  if (goal.max_questions < -1) {
+    throw GoalError(
+        fmt::format("max_questions is {}: expected -1 (no limit) or more", goal.max_questions));
+  }
+  result.max_questions = smallerLimit(goal.max_questions, options.session.max_questions);
+  if (goal.unsure_policy > AlignGoal::ABORT) {
+    throw GoalError(fmt::format("unsure_policy is {}: expected AS_YES=0, DEFER=1 or ABORT=2",
+                                int{goal.unsure_policy}));
+  }
+  result.unsure_policy = static_cast<session::UnsurePolicy>(goal.unsure_policy);
+  if (goal.negative_candidates) throw GoalError("not supported yet: negative_candidates");
+  return result;
+}
+
+phrasing::Phrases phrasesOf(const NodeOptions& options) {
+  if (options.phrases.empty()) return {};
+  const pddl::Source source = pddl::readFile(resolveFile(options.phrases));
+  return phrasing::Phrases::fromYaml(source.text, source.name);
+}
+
+}  // namespace goal_alignment::ros_interface

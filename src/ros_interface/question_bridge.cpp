@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/question_bridge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "goal_alignment/ros_interface/message_conversion.h"
+#include "goal_alignment/ros_interface/node_constants.h"
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+using session::AnswerKind;
+using session::CandidateState;
+using session::Receipt;
+
+constexpr std::chrono::duration<double> kGrace{kAnswerGraceSeconds};
+
+bool isAnswered(CandidateState state) {
+  return state == CandidateState::Wanted || state == CandidateState::NotWanted ||
+         state == CandidateState::Unsure;
+}
+
+CandidateState stateAfter(AnswerKind kind) {
+  switch (kind) {
+    case AnswerKind::Yes:
+      return CandidateState::Wanted;
+    case AnswerKind::No:
+      return CandidateState::NotWanted;
+    default:
+      return CandidateState::Unsure;
+  }
+}
+
+std::string refusalOfValue(const Answer::Request& request) {
+  if (request.answer >= Answer::Request::NO && request.answer <= Answer::Request::DECLINE)
+    return {};
+  return fmt::format("{} is no answer: expected NO=0, YES=1, UNSURE=2 or DECLINE=3",
+                     static_cast<int>(request.answer));
+}
+
+// Each once, in the order given.
+std::vector<Literal> distinct(const std::vector<Literal>& literals) {
+  std::vector<Literal> result;
+  for (const Literal& literal : literals) {
+    if (std::find(result.begin(), result.end(), literal) == result.end()) result.push_back(literal);
+  }
+  return result;
+}
+
+}  // namespace
+
+QuestionBridge::QuestionBridge(QuestionIds ids, std::function<Clock::time_point()> now)
+    : now_(std::move(now)), ids_(std::move(ids)) {}
+
+void QuestionBridge::beginSession(const std::string& session_id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (session_id != session_id_) accepted_.clear();
+  session_id_ = session_id;
+  under_way_ = true;
+  interrupted_ = false;
+  candidates_known_ = false;
+  candidates_.clear();
+  specified_.clear();
+}
+
+void QuestionBridge::endSession() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  closeOpen(false);
+  under_way_ = false;
+  accepted_.clear();
+}
+
+bool QuestionBridge::endSessionIfIdle() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!accepted_.empty()) return false;
+  closeOpen(false);
+  under_way_ = false;
+  return true;
+}
+
+void QuestionBridge::update(const session::Snapshot& snapshot) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  candidates_known_ = !snapshot.specified.empty() || !snapshot.candidates.empty();
+  specified_ = {snapshot.specified.begin(), snapshot.specified.end()};
+  candidates_.clear();
+  for (const auto& candidate : snapshot.candidates) {
+    candidates_.emplace(candidate.fluent, candidate.state);
+  }
+  // The session has not heard these yet, but their givers were told that they count.
+  for (const AcceptedAnswer& answer : accepted_)
+    count(answer);
+}
+
+std::uint32_t QuestionBridge::open(const std::vector<Literal>& fluents) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  OpenQuestion question;
+  question.id = ids_.next();
+  question.fluents = {fluents.begin(), fluents.end()};
+  question.opened = now_();
+  const bool same_dialogue = last_closed_ && last_session_ == session_id_;
+  const bool vanished = last_closed_ && !last_answered_ && question.opened - *last_closed_ < kGrace;
+  question.replaced_another = same_dialogue || vanished;
+  open_ = std::move(question);
+  return open_->id;
+}
+
+void QuestionBridge::close() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  closeOpen(false);
+}
+
+void QuestionBridge::closeOpen(bool answered) {
+  if (!open_) return;
+  open_.reset();
+  last_answered_ = answered;
+  last_session_ = session_id_;
+  last_closed_ = now_();
+}
+
+std::vector<AcceptedAnswer> QuestionBridge::take() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(accepted_, {});
+}
+
+QuestionBridge::Wake QuestionBridge::wait(Clock::time_point deadline) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto woken = [this] { return interrupted_ || !accepted_.empty(); };
+  // wait_until() with the largest time point overflows in some standard libraries.
+  if (deadline == Clock::time_point::max()) {
+    changed_.wait(lock, woken);
+  } else if (!changed_.wait_until(lock, deadline, woken)) {
+    return Wake::TimedOut;
+  }
+  return interrupted_ ? Wake::Interrupt : Wake::Answer;
+}
+
+void QuestionBridge::interrupt() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    interrupted_ = true;
+  }
+  changed_.notify_all();
+}
+
+Receipt QuestionBridge::submit(const Answer::Request& request) {
+  std::vector<Literal> fluents;
+  try {
+    fluents = distinct(toLiterals(request.fluents));
+  } catch (const std::invalid_argument& error) {
+    return {false, error.what()};
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::string why_not = refusalOfValue(request);
+  if (why_not.empty()) why_not = refusalOfQuestion(request);
+  if (why_not.empty()) why_not = refusalOfFluents(fluents, request.question_id, false);
+  if (!why_not.empty()) return {false, why_not};
+
+  AcceptedAnswer answer;
+  answer.kind = static_cast<AnswerKind>(request.answer);
+  answer.answered_by = request.answered_by;
+  answer.fluents = std::move(fluents);
+  if (open_ && (answer.fluents.empty() || request.question_id != 0)) {
+    answer.question_id = open_->id;
+  }
+  if (answer.fluents.empty() && open_) {
+    for (const Literal& fluent : open_->fluents) {
+      if (!isAnswered(candidates_[fluent])) answer.fluents.push_back(fluent);
+    }
+  }
+  return accept(std::move(answer));
+}
+
+QuestionBridge::Revision QuestionBridge::revise(const Answer::Request& request) {
+  AcceptedAnswer answer;
+  try {
+    answer.fluents = distinct(toLiterals(request.fluents));
+  } catch (const std::invalid_argument& error) {
+    return {{false, error.what()}, ""};
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::string why_not = refusalOfValue(request);
+  if (why_not.empty() && request.answer == Answer::Request::DECLINE) {
+    why_not = "a revised answer is NO, YES or UNSURE";
+  }
+  if (why_not.empty() && answer.fluents.empty()) why_not = "name the fluents to revise";
+  if (why_not.empty()) why_not = refusalOfFluents(answer.fluents, 0, true);
+  if (!why_not.empty()) return {{false, why_not}, ""};
+  answer.kind = static_cast<AnswerKind>(request.answer);
+  answer.answered_by = request.answered_by;
+  return {accept(std::move(answer)), under_way_ ? "" : session_id_};
+}
+
+std::string QuestionBridge::refusalOfQuestion(const Answer::Request& request) const {
+  const std::uint32_t id = request.question_id;
+  if (!under_way_) return "no alignment is under way";
+  if (id != 0) {
+    if (open_ && open_->id == id) return {};
+    return ids_.issued(id) ? fmt::format("question {} is over", id)
+                           : fmt::format("question {} was not asked here", id);
+  }
+  const bool volunteered = !request.fluents.empty() && request.answer != Answer::Request::DECLINE;
+  if (volunteered) return {};
+  if (!open_) return "no question is open";
+  if (open_->replaced_another && now_() - open_->opened < kGrace) {
+    return fmt::format("question {} has just replaced another: read it, or name its id", open_->id);
+  }
+  return {};
+}
+
+std::string QuestionBridge::refusalOfFluents(const std::vector<Literal>& fluents,
+                                             std::uint32_t question_id, bool revising) const {
+  if (!fluents.empty() && !candidates_known_) {
+    return "the candidates are not known yet";
+  }
+  for (const Literal& fluent : fluents) {
+    std::string why_not = refusalOfFluent(fluent, revising);
+    if (why_not.empty() && question_id != 0 && open_->fluents.count(fluent) == 0) {
+      why_not = fmt::format("{} is no part of question {}", fluent.text(), question_id);
+    }
+    if (!why_not.empty()) return why_not;
+  }
+  return {};
+}
+
+std::string QuestionBridge::refusalOfFluent(const Literal& fluent, bool revising) const {
+  const auto found = candidates_.find(fluent);
+  const bool specified = specified_.count(fluent) > 0 ||
+                         (found != candidates_.end() && found->second == CandidateState::Specified);
+  if (specified) return fmt::format("{} is part of the specified goal", fluent.text());
+  if (found == candidates_.end()) {
+    return fmt::format("{} is outside the state that the person expects", fluent.text());
+  }
+  if (!revising && isAnswered(found->second)) {
+    return fmt::format("{} is answered already: use ~revise_answer", fluent.text());
+  }
+  return {};
+}
+
+Receipt QuestionBridge::accept(AcceptedAnswer answer) {
+  count(answer);
+  accepted_.push_back(std::move(answer));
+  changed_.notify_all();
+  return {true, ""};
+}
+
+// An answer that leaves no fluent of the open question unanswered closes it for everyone else.
+void QuestionBridge::count(const AcceptedAnswer& answer) {
+  const bool declines = answer.kind == AnswerKind::Decline;
+  if (!declines) {
+    for (const Literal& fluent : answer.fluents)
+      candidates_[fluent] = stateAfter(answer.kind);
+  }
+  if (!open_) return;
+  const auto hit = [&](const Literal& fluent) { return open_->fluents.count(fluent) > 0; };
+  const bool chosen = answer.kind == AnswerKind::Yes &&
+                      std::any_of(answer.fluents.begin(), answer.fluents.end(), hit);
+  const bool all =
+      std::all_of(open_->fluents.begin(), open_->fluents.end(),
+                  [&](const Literal& fluent) { return isAnswered(candidates_[fluent]); });
+  if (!declines && !chosen && !all) return;
+  if (chosen) {
+    for (const Literal& fluent : open_->fluents) {
+      if (!isAnswered(candidates_[fluent])) candidates_[fluent] = CandidateState::NotWanted;
+    }
+  }
+  closeOpen(true);
+}
+
+std::uint32_t QuestionBridge::openId() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return open_ ? open_->id : 0;
+}
+
+}  // namespace goal_alignment::ros_interface

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/scripted_dialogue.h"
+
+#include <fmt/format.h>
+#include <ros/console.h>
+#include <yaml-cpp/yaml.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <vector>
+
+#include "goal_alignment/pddl/parser.h"
+#include "goal_alignment/ros_interface/message_conversion.h"
+#include "goal_alignment/ros_interface/node_constants.h"
+#include "goal_alignment/ros_interface/package_files.h"
+#include "goal_alignment/ros_interface/parameter_reader.h"
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+constexpr double kLongestDelay = 86400;  // seconds
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::vector<std::string> textsOfYaml(const std::string& file) {
+  try {
+    YAML::Node root = YAML::LoadFile(file);
+    if (root.IsMap()) root = root["true_goal"];
+    return root.as<std::vector<std::string>>();
+  } catch (const YAML::Exception& error) {
+    throw std::runtime_error(fmt::format("{}: expected a list of fluents: {}", file, error.what()));
+  }
+}
+
+TrueGoal readTrueGoalFile(const std::string& file) {
+  const bool yaml = endsWith(file, ".yaml") || endsWith(file, ".yml");
+  const std::vector<Literal> literals =
+      yaml ? toLiterals(textsOfYaml(file)) : pddl::parseLiterals(pddl::readFile(file));
+  return {literals.begin(), literals.end()};
+}
+
+}  // namespace
+
+TrueGoal readTrueGoal(const XmlRpc::XmlRpcValue& parameter) {
+  using XmlRpc::XmlRpcValue;
+  XmlRpcValue value = parameter;  // XmlRpcValue gives its contents away only when not const
+  if (value.getType() == XmlRpcValue::TypeString) {
+    return readTrueGoalFile(resolveFile(static_cast<std::string&>(value)));
+  }
+  if (value.getType() != XmlRpcValue::TypeArray) {
+    throw std::invalid_argument("expected a file name or a list of fluents");
+  }
+  std::vector<std::string> texts;
+  for (int i = 0; i < value.size(); ++i) {
+    if (value[i].getType() != XmlRpcValue::TypeString) {
+      throw std::invalid_argument(fmt::format("entry {} is no text such as \"(on a b)\"", i));
+    }
+    texts.push_back(static_cast<std::string&>(value[i]));
+  }
+  const std::vector<Literal> literals = toLiterals(texts);
+  return {literals.begin(), literals.end()};
+}
+
+AskHuman::Response answerFor(const Question& question, const TrueGoal& true_goal) {
+  AskHuman::Response response;
+  response.question_id = question.question_id;
+  for (const Literal& fluent : toLiterals(question.fluents, "question.fluents")) {
+    if (true_goal.count(fluent) > 0) response.fluents.push_back(fluent.text());
+  }
+  response.answer = response.fluents.empty() ? AskHuman::Response::NO : AskHuman::Response::YES;
+  return response;
+}
+
+ScriptedDialogue::ScriptedDialogue(ros::NodeHandle node, const ros::NodeHandle& private_node)
+    : watch_(node) {
+  XmlRpc::XmlRpcValue values;
+  private_node.getParam(private_node.getNamespace(), values);
+  ParameterReader(values, private_node.getNamespace()).read("delay", delay_, 0, kLongestDelay);
+  XmlRpc::XmlRpcValue true_goal;
+  if (!private_node.getParam("true_goal", true_goal)) {
+    throw std::invalid_argument(private_node.resolveName("true_goal") + " is not set");
+  }
+  true_goal_ = readTrueGoal(true_goal);
+  service_ = node.advertiseService(kAskHumanService, &ScriptedDialogue::ask, this);
+}
+
+bool ScriptedDialogue::ask(AskHuman::Request& request, AskHuman::Response& response) {
+  const Question& question = request.question;
+  response.answer = AskHuman::Response::NONE;
+  response.question_id = question.question_id;
+  if (watch_.waitUntilGone(question, std::chrono::duration<double>(delay_))) return true;
+  try {
+    response = answerFor(question, true_goal_);
+  } catch (const std::invalid_argument& error) {
+    ROS_WARN("can't answer question %u: %s", question.question_id, error.what());
+    return true;
+  }
+  response.answered_by = "scripted_dialogue";
+  ROS_INFO("question %u: %s: %s", question.question_id, question.text.c_str(),
+           response.answer == AskHuman::Response::YES ? "yes" : "no");
+  return true;
+}
+
+}  // namespace goal_alignment::ros_interface

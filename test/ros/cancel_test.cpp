@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How goals end that nobody wants any more: every end carries a filled result.
+#include <actionlib_msgs/GoalID.h>
+
+#include "goal_alignment/GetState.h"
+#include "scenario.h"
+
+namespace goal_alignment::test {
+namespace {
+
+using State = actionlib::SimpleClientGoalState;
+using actionlib_msgs::GoalStatus;
+
+constexpr double kCancelLimit = 0.1;  // seconds, INTERFACE of the node
+
+class Cancel : public Scenario {
+ protected:
+  Cancel()
+      : results_(node_, "/goal_alignment/align/result"),
+        goals_(node_.advertise<AlignActionGoal>("/goal_alignment/align/goal", 10)),
+        cancels_(node_.advertise<actionlib_msgs::GoalID>("/goal_alignment/align/cancel", 10)) {}
+
+  void SetUp() override {
+    Scenario::SetUp();
+    ASSERT_TRUE(eventually(
+        [this] { return goals_.getNumSubscribers() > 0 && cancels_.getNumSubscribers() > 0; }));
+  }
+
+  // A goal by hand, with an id of its own; SimpleActionClient remembers one at a time only.
+  std::string send(const AlignGoal& goal) {
+    AlignActionGoal message;
+    message.goal_id.id = newId();
+    message.goal_id.stamp = ros::Time::now();
+    message.goal = goal;
+    goals_.publish(message);
+    return message.goal_id.id;
+  }
+
+  static std::string newId() {
+    static int number = 0;
+    return "cancel_test-" + std::to_string(++number);
+  }
+
+  void cancel(const std::string& id) {
+    actionlib_msgs::GoalID message;
+    message.id = id;
+    cancels_.publish(message);
+  }
+
+  AlignActionResult resultOf(const std::string& id) {
+    const auto result = results_.waitFor(
+        [&](const AlignActionResult& shown) { return shown.status.goal_id.id == id; });
+    EXPECT_TRUE(result) << "no result for " << id;
+    return result.value_or(AlignActionResult{});
+  }
+
+  void expectCanceled(const AlignActionResult& result, int status) {
+    EXPECT_EQ(int{result.status.status}, status);
+    EXPECT_EQ(result.result.outcome, AlignResult::CANCELED);
+    EXPECT_FALSE(result.result.message.empty());
+    EXPECT_EQ(result.result.failing_step, -1);
+  }
+
+  Topic<AlignActionResult> results_;
+  ros::Publisher goals_;
+  ros::Publisher cancels_;
+};
+
+TEST_F(Cancel, whileAQuestionIsOpen) {
+  const Question question = sendAndAwaitQuestion(sweepHall());
+  const ros::WallTime begin = ros::WallTime::now();
+  align_.cancelGoal();
+  const AlignResult result = awaitResult();
+  EXPECT_LT((ros::WallTime::now() - begin).toSec(), kCancelLimit);
+  EXPECT_EQ(result.outcome, AlignResult::CANCELED);
+  EXPECT_EQ(align_.getState(), State::PREEMPTED);
+  EXPECT_EQ(result.session_id, question.session_id);
+  EXPECT_EQ(result.candidates.size(), 2U);
+  EXPECT_EQ(result.questions, 1U);
+  EXPECT_TRUE(questionIsClosed());
+  EXPECT_FALSE(answer(Answer::Request::NO, question.question_id).accepted);
+  EXPECT_TRUE(states_.waitFor([&](const AlignmentState& shown) {
+    return shown.session_id == question.session_id && shown.phase == AlignmentState::DONE &&
+           shown.outcome == AlignResult::CANCELED;
+  }));
+
+  const Question next = sendAndAwaitQuestion(sweepHall());
+  EXPECT_GT(next.question_id, question.question_id);
+  EXPECT_TRUE(answer(Answer::Request::NO, next.question_id).accepted);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+}
+
+TEST_F(Cancel, arrivingWithTheGoal) {
+  for (int i = 0; i < 20; ++i) {
+    const std::string id = send(sweepHall());
+    cancel(id);
+    const AlignActionResult result = resultOf(id);
+    const bool ended = result.status.status == GoalStatus::PREEMPTED ||
+                       result.status.status == GoalStatus::RECALLED;
+    EXPECT_TRUE(ended) << int{result.status.status};
+    EXPECT_EQ(result.result.outcome, AlignResult::CANCELED);
+  }
+}
+
+TEST_F(Cancel, arrivingBeforeItsGoal) {
+  // actionlib remembers the cancel; its status shows when it has arrived.
+  Topic<actionlib_msgs::GoalStatusArray> statuses(node_, "/goal_alignment/align/status");
+  const std::string id = newId();
+  actionlib_msgs::GoalID message;
+  message.id = id;
+  message.stamp = ros::Time::now();
+  cancels_.publish(message);
+  ASSERT_TRUE(statuses.waitFor([&](const actionlib_msgs::GoalStatusArray& shown) {
+    return std::any_of(shown.status_list.begin(), shown.status_list.end(),
+                       [&](const GoalStatus& status) { return status.goal_id.id == id; });
+  }));
+  AlignActionGoal goal;
+  goal.goal_id = message;
+  goal.goal = sweepHall();
+  goals_.publish(goal);
+  expectCanceled(resultOf(id), GoalStatus::RECALLED);
+}
+
+TEST_F(Cancel, byANewerGoal) {
+  const Question question = sendAndAwaitQuestion(sweepHall());
+  const auto older = results_.all().size();
+  const std::string newer = send(sweepSilently());
+  EXPECT_EQ(int{resultOf(newer).status.status}, GoalStatus::SUCCEEDED);
+  const auto all = results_.all();
+  ASSERT_EQ(all.size(), older + 2);
+  const AlignActionResult& displaced = all[older];
+  expectCanceled(displaced, GoalStatus::PREEMPTED);
+  EXPECT_EQ(displaced.result.message, "displaced by a newer goal");
+  EXPECT_EQ(displaced.result.session_id, question.session_id);
+}
+
+TEST_F(Cancel, ofAllGoalsAtOnce) {
+  sendAndAwaitQuestion(sweepHall());
+  align_.cancelAllGoals();
+  EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
+}
+
+TEST_F(Cancel, leavesTheLatchedTopicsReadable) {
+  sendAndAwaitQuestion(sweepHall());
+  Topic<Question> late_question(node_, "/goal_alignment/question");
+  EXPECT_TRUE(late_question.waitFor([](const Question& q) { return q.question_id != 0; }));
+  Topic<AlignmentState> late_state(node_, "/goal_alignment/state");
+  EXPECT_TRUE(late_state.waitFor(
+      [](const AlignmentState& s) { return s.phase == AlignmentState::AWAITING_ANSWER; }));
+  GetState call;
+  ASSERT_TRUE(ros::service::call("/goal_alignment/get_state", call));
+  EXPECT_EQ(int{call.response.state.phase}, AlignmentState::AWAITING_ANSWER);
+  align_.cancelGoal();
+  EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
+  EXPECT_TRUE(questionIsClosed());
+}
+
+}  // namespace
+}  // namespace goal_alignment::test

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Dialogue nodes that are quick, slow, hanging, dying, and late.
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "goal_alignment/AskHuman.h"
+#include "scenario.h"
+
+namespace goal_alignment::test {
+namespace {
+
+class ScriptedDialogue : public Scenario {};
+class SlowDialogue : public Scenario {};
+
+TEST_F(ScriptedDialogue, answersFromItsList) {
+  align_.sendGoal(sweepBothRooms());
+  const AlignResult result = awaitResult();
+  // Its list holds (quiet kitchen) alone, which can't be had.
+  EXPECT_EQ(result.outcome, AlignResult::EXPECTATION_UNACHIEVABLE) << result.message;
+  ASSERT_EQ(result.conflict.size(), 1U);
+  EXPECT_EQ(result.conflict[0].args[0], "kitchen");
+  for (const Candidate& candidate : result.candidates) {
+    if (candidate.state != Candidate::WANTED) continue;
+    EXPECT_EQ(candidate.answered_by, "scripted_dialogue");
+    EXPECT_FALSE(candidate.answered_at.isZero());
+  }
+}
+
+TEST_F(ScriptedDialogue, saysNoToWhatIsNotInItsList) {
+  align_.sendGoal(sweepHall());
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+}
+
+TEST_F(SlowDialogue, leavesAQuestionThatSomebodyElseAnswered) {
+  const Question question = sendAndAwaitQuestion(sweepHall());
+  // The same dialogue, asked by this test as well, to see when it returns.
+  AskHuman call;
+  call.request.question = question;
+  std::atomic<bool> returned{false};
+  bool success = false;
+  std::thread asker([&] {
+    isOffered("/ask_human");
+    success = ros::service::call("/ask_human", call);
+    returned = true;
+  });
+  EXPECT_TRUE(answer(Answer::Request::NO, question.question_id).accepted);
+  EXPECT_TRUE(eventually([&] { return returned.load(); }));
+  asker.join();
+  EXPECT_TRUE(success);
+  EXPECT_EQ(int{call.response.answer}, AskHuman::Response::NONE);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+}
+
+// A dialogue node inside the test, whose calls last until they are told to end.
+class HangingDialogue : public Scenario {
+ protected:
+  void SetUp() override {
+    Scenario::SetUp();
+    advertise();
+  }
+
+  void TearDown() override {
+    release(AskHuman::Response::NONE);
+    server_.shutdown();
+  }
+
+  void advertise() { server_ = node_.advertiseService("/ask_human", &HangingDialogue::ask, this); }
+
+  bool ask(AskHuman::Request& request, AskHuman::Response& response) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    most_ = std::max(most_, ++outstanding_);
+    asked_.push_back(request.question.question_id);
+    changed_.notify_all();
+    changed_.wait(lock, [this] { return released_; });
+    --outstanding_;
+    response.answer = answer_;
+    response.question_id = request.question.question_id;
+    return answer_ != AskHuman::Response::NONE;
+  }
+
+  bool wasAsked(std::uint32_t id) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    return changed_.wait_for(lock, std::chrono::duration<double>(kPatience), [&] {
+      return std::find(asked_.begin(), asked_.end(), id) != asked_.end();
+    });
+  }
+
+  void release(std::int8_t answer) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      released_ = true;
+      answer_ = answer;
+    }
+    changed_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::uint32_t> asked_;
+  int outstanding_ = 0;
+  int most_ = 0;
+  bool released_ = false;
+  std::int8_t answer_ = AskHuman::Response::NONE;
+  ros::ServiceServer server_;
+};
+
+TEST_F(HangingDialogue, isAskedOnceAndItsLateAnswerIsRefused) {
+  const Question first = sendAndAwaitQuestion(sweepBothRooms());
+  ASSERT_TRUE(wasAsked(first.question_id));
+  EXPECT_TRUE(answer(Answer::Request::NO, first.question_id).accepted);
+  const Question second = awaitQuestionAfter(first.question_id);
+  // The hanging call is abandoned: the second question is on ~question alone.
+  EXPECT_EQ(most_, 1);
+  EXPECT_EQ(asked_.size(), 1U);
+
+  // Now the first call returns, too late; the second question must not take its answer.
+  release(AskHuman::Response::YES);
+  ASSERT_TRUE(wasAsked(second.question_id)) << "it is asked again once it is free";
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::EXPECTATION_UNACHIEVABLE)
+      << "YES to the second question, NO to the first: " << result.message;
+  EXPECT_EQ(result.conflict.size(), 1U);
+  EXPECT_EQ(result.conflict[0].args, second.fluents[0].args);
+}
+
+TEST_F(HangingDialogue, doesNotHoldUpACancel) {
+  const Question question = sendAndAwaitQuestion(sweepHall());
+  ASSERT_TRUE(wasAsked(question.question_id));
+  const ros::WallTime begin = ros::WallTime::now();
+  align_.cancelGoal();
+  EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
+  EXPECT_LT((ros::WallTime::now() - begin).toSec(), 0.1);
+}
+
+TEST_F(HangingDialogue, thatFailsIsAskedAgain) {
+  const Question question = sendAndAwaitQuestion(sweepHall());
+  ASSERT_TRUE(wasAsked(question.question_id));
+  release(AskHuman::Response::NONE);  // the service call fails
+  ASSERT_TRUE(eventually([this] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return asked_.size() >= 2;
+  }));
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    answer_ = AskHuman::Response::NO;
+  }
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+}
+
+TEST_F(HangingDialogue, thatComesLaterIsAskedThen) {
+  server_.shutdown();
+  const Question question = sendAndAwaitQuestion(sweepHall());
+  release(AskHuman::Response::NO);
+  advertise();
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+  EXPECT_EQ(asked_.front(), question.question_id);
+}
+
+}  // namespace
+}  // namespace goal_alignment::test

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/question_bridge.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <thread>
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+using session::AnswerKind;
+using session::CandidateState;
+using Clock = QuestionBridge::Clock;
+
+Literal literal(const std::string& text) {
+  return Literal::parse(text);
+}
+
+session::Snapshot snapshotWith(
+    const std::vector<std::pair<std::string, CandidateState>>& candidates) {
+  session::Snapshot snapshot;
+  snapshot.specified = {literal("(g)")};
+  for (const auto& [text, state] : candidates) {
+    session::CandidateView view;
+    view.fluent = literal(text);
+    view.state = state;
+    snapshot.candidates.push_back(view);
+  }
+  return snapshot;
+}
+
+class Bridge : public testing::Test {
+ protected:
+  Bridge()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("question_bridge_test." + std::to_string(getpid()))),
+        bridge_(QuestionIds((folder_ / "ids").string()), [this] { return now_; }) {
+    bridge_.beginSession("s");
+    bridge_.update(snapshotWith({{"(a)", CandidateState::Open},
+                                 {"(b)", CandidateState::Open},
+                                 {"(c)", CandidateState::Wanted}}));
+  }
+  ~Bridge() override { std::filesystem::remove_all(folder_); }
+
+  session::Receipt submit(int value, std::uint32_t id = 0,
+                          const std::vector<std::string>& fluents = {}) {
+    return bridge_.submit(request(value, id, fluents));
+  }
+
+  static Answer::Request request(int value, std::uint32_t id,
+                                 const std::vector<std::string>& fluents) {
+    Answer::Request request;
+    request.answer = static_cast<std::int8_t>(value);
+    request.question_id = id;
+    request.fluents = fluents;
+    request.answered_by = "Ann";
+    return request;
+  }
+
+  void pass(double seconds) {
+    now_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  }
+
+  std::filesystem::path folder_;
+  Clock::time_point now_ = Clock::now();
+  QuestionBridge bridge_;
+};
+
+constexpr int kNo = Answer::Request::NO;
+constexpr int kYes = Answer::Request::YES;
+
+TEST_F(Bridge, anAnswerToTheOpenQuestionIsTakenOnce) {
+  const std::uint32_t id = bridge_.open({literal("(a)")});
+  EXPECT_TRUE(submit(kNo, id).accepted);
+  EXPECT_EQ(bridge_.openId(), 0U);
+  EXPECT_FALSE(submit(kYes, id).accepted);
+  EXPECT_EQ(bridge_.wait(Clock::time_point::max()), QuestionBridge::Wake::Answer);
+  const auto answers = bridge_.take();
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers[0].fluents, std::vector<Literal>{literal("(a)")});
+  EXPECT_EQ(answers[0].kind, AnswerKind::No);
+  EXPECT_EQ(answers[0].answered_by, "Ann");
+  EXPECT_EQ(answers[0].question_id, id);
+}
+
+TEST_F(Bridge, refusalsSayWhy) {
+  EXPECT_EQ(submit(kNo).message, "no question is open");
+  const std::uint32_t id = bridge_.open({literal("(a)")});
+  EXPECT_EQ(submit(4, id).message, "4 is no answer: expected NO=0, YES=1, UNSURE=2 or DECLINE=3");
+  EXPECT_EQ(submit(-1, id).accepted, false);
+  EXPECT_EQ(submit(kNo, id + 5000).message,
+            "question " + std::to_string(id + 5000) + " was not asked here");
+  EXPECT_EQ(submit(kNo, id, {"(b)"}).message, "(b) is no part of question " + std::to_string(id));
+  EXPECT_EQ(submit(kNo, 0, {"(c)"}).message, "(c) is answered already: use ~revise_answer");
+  EXPECT_EQ(submit(kNo, 0, {"(g)"}).message, "(g) is part of the specified goal");
+  EXPECT_EQ(submit(kNo, 0, {"(x)"}).message, "(x) is outside the state that the person expects");
+  EXPECT_FALSE(submit(kNo, 0, {"(a"}).message.empty());
+  bridge_.close();
+  EXPECT_EQ(submit(kNo, id).message, "question " + std::to_string(id) + " is over");
+  EXPECT_TRUE(bridge_.take().empty());
+  bridge_.endSession();
+  EXPECT_EQ(submit(kNo, 0, {"(a)"}).message, "no alignment is under way");
+}
+
+TEST_F(Bridge, beforeTheAnalysisNothingIsKnown) {
+  bridge_.beginSession("t");
+  EXPECT_EQ(submit(kNo, 0, {"(a)"}).message, "the candidates are not known yet");
+}
+
+TEST_F(Bridge, idZeroMustWaitAfterAQuestionReplacedAnother) {
+  const std::uint32_t first = bridge_.open({literal("(a)")});
+  EXPECT_TRUE(submit(kNo, 0).accepted) << "the first question replaces none";
+  (void)bridge_.take();
+  pass(60);
+  const std::uint32_t second = bridge_.open({literal("(b)")});
+  EXPECT_NE(first, second);
+  pass(0.99);
+  EXPECT_FALSE(submit(kNo, 0).accepted);
+  EXPECT_TRUE(submit(kNo, 0, {"(a)"}).message.find("answered") != std::string::npos);
+  pass(0.02);
+  EXPECT_TRUE(submit(kNo, 0).accepted);
+}
+
+TEST_F(Bridge, duringTheGraceAnIdOrANamedFluentIsEnough) {
+  bridge_.open({literal("(a)")});
+  bridge_.close();
+  const std::uint32_t second = bridge_.open({literal("(b)")});
+  EXPECT_FALSE(submit(kNo, 0).accepted);
+  EXPECT_TRUE(submit(kNo, 0, {"(a)"}).accepted) << "volunteered";
+  EXPECT_TRUE(submit(kNo, second).accepted);
+}
+
+TEST_F(Bridge, aNewSessionsFirstQuestionReplacesOnlyOneThatHasJustVanished) {
+  const auto openIn = [this](const std::string& session) {
+    bridge_.endSession();
+    bridge_.beginSession(session);
+    bridge_.update(snapshotWith({{"(a)", CandidateState::Open}}));
+    bridge_.open({literal("(a)")});
+  };
+  openIn("t");
+  EXPECT_TRUE(submit(kNo, 0).accepted);
+  openIn("u");
+  EXPECT_TRUE(submit(kNo, 0).accepted) << "the one before was answered";
+  openIn("v");
+  openIn("w");
+  EXPECT_FALSE(submit(kNo, 0).accepted) << "the one before was taken away";
+  bridge_.endSession();
+  pass(2);
+  openIn("x");
+  EXPECT_TRUE(submit(kNo, 0).accepted) << "the one before is long gone";
+}
+
+TEST_F(Bridge, ofAGroupYesToSomeIsNoToTheRest) {
+  const std::uint32_t id = bridge_.open({literal("(a)"), literal("(b)")});
+  EXPECT_TRUE(submit(kYes, id, {"(a)", "(A)"}).accepted);
+  EXPECT_EQ(bridge_.openId(), 0U);
+  EXPECT_EQ(bridge_.take().at(0).fluents.size(), 1U);
+  EXPECT_NE(submit(kYes, 0, {"(b)"}).message.find("answered already"), std::string::npos);
+}
+
+TEST_F(Bridge, ofAGroupNoToSomeLeavesTheRestOpen) {
+  const std::uint32_t id = bridge_.open({literal("(a)"), literal("(b)")});
+  EXPECT_TRUE(submit(kNo, id, {"(a)"}).accepted);
+  EXPECT_EQ(bridge_.openId(), id);
+  EXPECT_TRUE(submit(kYes, id).accepted);
+  const auto answers = bridge_.take();
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[1].fluents, std::vector<Literal>{literal("(b)")});
+}
+
+TEST_F(Bridge, acceptedAnswersCountOnANewerSnapshotThatLacksThem) {
+  EXPECT_TRUE(submit(kNo, 0, {"(a)"}).accepted);
+  bridge_.update(snapshotWith({{"(a)", CandidateState::Open}, {"(b)", CandidateState::Open}}));
+  EXPECT_FALSE(submit(kYes, 0, {"(a)"}).accepted);
+  EXPECT_TRUE(submit(kYes, 0, {"(b)"}).accepted);
+}
+
+TEST_F(Bridge, declineNeedsAnOpenQuestionAndClosesIt) {
+  EXPECT_FALSE(submit(Answer::Request::DECLINE, 0, {"(a)"}).accepted);
+  const std::uint32_t id = bridge_.open({literal("(a)")});
+  EXPECT_TRUE(submit(Answer::Request::DECLINE, id).accepted);
+  EXPECT_EQ(bridge_.openId(), 0U);
+  EXPECT_EQ(bridge_.take().at(0).kind, AnswerKind::Decline);
+}
+
+TEST_F(Bridge, revisionsChangeAnswersAndSaySoWhenTheSessionHasToGoOn) {
+  auto revision = bridge_.revise(request(kNo, 0, {"(c)"}));
+  EXPECT_TRUE(revision.receipt.accepted);
+  EXPECT_EQ(revision.continue_session, "") << "the solver thread takes it";
+  EXPECT_FALSE(bridge_.endSessionIfIdle());
+  (void)bridge_.take();
+  EXPECT_TRUE(bridge_.endSessionIfIdle());
+
+  revision = bridge_.revise(request(kYes, 0, {"(c)"}));
+  EXPECT_TRUE(revision.receipt.accepted);
+  EXPECT_EQ(revision.continue_session, "s");
+  bridge_.beginSession("s");
+  EXPECT_EQ(bridge_.take().size(), 1U);
+  EXPECT_FALSE(bridge_.revise(request(kNo, 0, {})).receipt.accepted);
+  EXPECT_FALSE(bridge_.revise(request(Answer::Request::DECLINE, 0, {"(c)"})).receipt.accepted);
+}
+
+TEST_F(Bridge, aRevisionIsForgottenWhenAnotherTaskComes) {
+  bridge_.endSession();
+  EXPECT_TRUE(bridge_.revise(request(kYes, 0, {"(c)"})).receipt.accepted);
+  bridge_.beginSession("another");
+  EXPECT_TRUE(bridge_.take().empty());
+}
+
+TEST_F(Bridge, waitsEndByInterruptAndByTime) {
+  EXPECT_EQ(bridge_.wait(Clock::now()), QuestionBridge::Wake::TimedOut);
+  std::thread interrupter([this] { bridge_.interrupt(); });
+  EXPECT_EQ(bridge_.wait(Clock::time_point::max()), QuestionBridge::Wake::Interrupt);
+  interrupter.join();
+}
+
+TEST(QuestionIds, neverRepeatAcrossObjectsOfOneFile) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("question_ids_test." + std::to_string(getpid()));
+  const std::string file = (folder / "sub" / "ids").string();
+  std::set<std::uint32_t> ids;
+  for (int run = 0; run < 3; ++run) {
+    QuestionIds source(file);
+    EXPECT_EQ(source.trouble(), "");
+    for (int i = 0; i < 1500; ++i) {
+      const std::uint32_t id = source.next();
+      EXPECT_NE(id, 0U);
+      EXPECT_TRUE(ids.insert(id).second) << id << " came twice";
+      EXPECT_TRUE(source.issued(id));
+    }
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(QuestionIds, surviveADamagedOrUnusableFile) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("question_ids_test2." + std::to_string(getpid()));
+  std::filesystem::create_directories(folder / "ids");  // a folder where the file should be
+  QuestionIds unusable((folder / "ids").string());
+  EXPECT_NE(unusable.trouble(), "");
+  const std::uint32_t first = unusable.next();
+  EXPECT_GT(unusable.next(), first);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace goal_alignment::ros_interface

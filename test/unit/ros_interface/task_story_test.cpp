@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/task_story.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+Fluent fluent(const std::string& text) {
+  Fluent message;
+  message.name = text;
+  message.text = text;
+  return message;
+}
+
+AlignFeedback feedbackWith(std::uint32_t id, const std::string& name) {
+  AlignFeedback feedback;
+  feedback.question.session_id = "s";
+  feedback.question.question_id = id;
+  feedback.question.text = "what about " + name + "?";
+  feedback.question.why = "because of " + name;
+  feedback.question.fluents = {fluent(name)};
+  return feedback;
+}
+
+AlignmentState stateWith(const std::vector<std::pair<std::string, int>>& candidates) {
+  AlignmentState state;
+  state.session_id = "s";
+  state.human_plan_break = "step 1 fails";
+  for (const auto& [name, value] : candidates) {
+    Candidate candidate;
+    candidate.fluent = fluent(name);
+    candidate.state = static_cast<std::uint8_t>(value);
+    state.candidates.push_back(candidate);
+  }
+  return state;
+}
+
+class Story : public testing::Test {
+ protected:
+  // In this order, whatever else stands between.
+  void expectInOrder(const std::vector<std::string>& parts) const {
+    std::size_t position = 0;
+    for (const std::string& part : parts) {
+      position = out_.str().find(part, position);
+      ASSERT_NE(position, std::string::npos) << part << " is not next in\n" << out_.str();
+      position += part.size();
+    }
+  }
+
+  std::ostringstream out_;
+  TaskStory story_{out_, {}};
+};
+
+TEST_F(Story, keepsItsOrderWhenMessagesOvertakeEachOther) {
+  story_.hear(feedbackWith(1, "a"));
+  EXPECT_EQ(out_.str(), "") << "where the plan breaks is not known yet";
+  story_.hear(feedbackWith(2, "b"));
+  story_.hear(stateWith({{"a", Candidate::ASKED}, {"b", Candidate::OPEN}}));
+  EXPECT_EQ(out_.str().find("about b"), std::string::npos) << "a is not answered yet";
+  story_.hear(stateWith({{"a", Candidate::WANTED}, {"b", Candidate::NOT_WANTED}}));
+  expectInOrder({"breaks for the robot: step 1 fails", "what about a?", "because of a",
+                 "answers: yes", "what about b?", "answers: no"});
+}
+
+TEST_F(Story, isCompletedByTheResult) {
+  story_.hear(feedbackWith(1, "a"));
+  AlignResult result;
+  result.session_id = "s";
+  result.outcome = AlignResult::SUCCESS;
+  result.candidates = stateWith({{"a", Candidate::UNSURE}}).candidates;
+  story_.hear(result);
+  expectInOrder({"what about a?", "answers: don't know", "a plan of 0 steps"});
+}
+
+TEST_F(Story, endsWithTheGuarantee) {
+  Plan plan;
+  plan.plan_id = 1;
+  plan.guaranteed = {fluent("tea"), fluent("peace")};
+  for (const char* name : {"boil", "pour"}) {
+    ActionDispatch step;
+    step.name = name;
+    plan.steps.push_back(step);
+  }
+  story_.hearStep(plan, 0);
+  story_.hearStep(plan, 0);
+  ExecutePlanResult result;
+  result.outcome = ExecutePlanResult::SUCCESS;
+  story_.hearEnd(plan, result);
+  expectInOrder({"step 1 of 2: ", "step 2 of 2: ", "\nGuaranteed: tea; peace.\n"});
+  EXPECT_EQ(out_.str().find("step 1"), out_.str().rfind("step 1")) << "told twice";
+}
+
+TEST_F(Story, promisesNothingAfterAFailure) {
+  ExecutePlanResult result;
+  result.outcome = ExecutePlanResult::STEP_FAILED;
+  result.reason = "slipped";
+  story_.hearEnd(Plan{}, result);
+  expectInOrder({"not carried out (outcome 81): slipped"});
+  AlignResult no_plan;
+  no_plan.outcome = AlignResult::EXPECTATION_UNACHIEVABLE;
+  no_plan.message = "too much";
+  no_plan.alternatives.resize(1);
+  no_plan.alternatives[0].given_up = {fluent("peace")};
+  story_.hear(no_plan);
+  expectInOrder({"There is no plan (outcome 52): too much", "without this: peace"});
+  EXPECT_EQ(out_.str().find("Guaranteed"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace goal_alignment::ros_interface
