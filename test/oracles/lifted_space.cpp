@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "oracles/lifted_space.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace goal_alignment::oracles {
+
+using pddl::Model;
+using pddl::ObjectId;
+
+namespace {
+
+using Binding = std::vector<ObjectId>;
+
+ObjectId valueOf(const pddl::Term& term, const Binding& binding) {
+  return term.is_parameter ? binding.at(static_cast<std::size_t>(term.index)) : term.index;
+}
+
+GroundName groundAtom(const Model& model, const pddl::LiftedAtom& lifted, const Binding& binding) {
+  GroundName name{model.predicates.at(static_cast<std::size_t>(lifted.predicate)).name.name, {}};
+  for (const pddl::Term& term : lifted.terms) {
+    const ObjectId object = valueOf(term, binding);
+    name.arguments.push_back(model.objects.at(static_cast<std::size_t>(object)).name.name);
+  }
+  return name;
+}
+
+bool equalitiesHold(const pddl::Schema& schema, const Binding& binding) {
+  return std::all_of(schema.equalities.begin(), schema.equalities.end(), [&](const auto& equality) {
+    return (valueOf(equality.left, binding) == valueOf(equality.right, binding)) !=
+           equality.negated;
+  });
+}
+
+std::int64_t costOf(const Model& model, const pddl::Schema& schema, const Binding& binding) {
+  if (!model.has_costs) return 1;
+  if (!schema.function_cost) return schema.constant_cost;
+  pddl::Atom term{schema.function_cost->predicate, {}};
+  for (const pddl::Term& argument : schema.function_cost->terms) {
+    term.objects.push_back(valueOf(argument, binding));
+  }
+  return model.function_values.at(term);
+}
+
+GroundAction instantiate(const Model& model, const pddl::Schema& schema, const Binding& binding) {
+  GroundAction action;
+  action.name.name = schema.name.name;
+  for (const ObjectId object : binding) {
+    action.name.arguments.push_back(model.objects.at(static_cast<std::size_t>(object)).name.name);
+  }
+  for (const pddl::LiftedLiteral& literal : schema.precondition) {
+    action.precondition.push_back({groundAtom(model, literal.atom, binding), literal.negated});
+  }
+  for (const auto& atom : schema.add) action.add.insert(groundAtom(model, atom, binding));
+  for (const auto& atom : schema.del) action.del.insert(groundAtom(model, atom, binding));
+  action.cost = costOf(model, schema, binding);
+  return action;
+}
+
+void bindFrom(const Model& model, const pddl::Schema& schema, Binding& binding,
+              std::vector<GroundAction>& actions) {
+  if (binding.size() == schema.parameters.size()) {
+    if (equalitiesHold(schema, binding)) actions.push_back(instantiate(model, schema, binding));
+    return;
+  }
+  const pddl::TypeId type = schema.parameters[binding.size()].type;
+  for (std::size_t object = 0; object < model.objects.size(); ++object) {
+    if (!model.isSubtype(model.objects[object].type, type)) continue;
+    binding.push_back(static_cast<ObjectId>(object));
+    bindFrom(model, schema, binding, actions);
+    binding.pop_back();
+  }
+}
+
+}  // namespace
+
+Atoms initialAtoms(const Model& model) {
+  Atoms atoms;
+  for (const pddl::Atom& atom : model.init) atoms.insert(model.name(atom));
+  return atoms;
+}
+
+std::vector<GroundAction> allActions(const Model& model) {
+  std::vector<GroundAction> actions;
+  Binding binding;
+  for (const pddl::Schema& schema : model.schemas) bindFrom(model, schema, binding, actions);
+  return actions;
+}
+
+bool holds(const std::vector<Literal>& literals, const Atoms& atoms) {
+  return std::all_of(literals.begin(), literals.end(), [&](const Literal& literal) {
+    return (atoms.count(literal.atom) > 0) != literal.negated;
+  });
+}
+
+Atoms successor(const GroundAction& action, const Atoms& atoms) {
+  Atoms after = atoms;
+  for (const GroundName& atom : action.del) after.erase(atom);
+  after.insert(action.add.begin(), action.add.end());
+  return after;
+}
+
+RelaxedGrounding groundNaively(const Model& model) {
+  std::set<std::string> deleted_predicates;
+  const std::vector<GroundAction> all = allActions(model);
+  for (const pddl::Schema& schema : model.schemas) {
+    for (const pddl::LiftedAtom& atom : schema.del) {
+      deleted_predicates.insert(
+          model.predicates.at(static_cast<std::size_t>(atom.predicate)).name.name);
+    }
+  }
+  const Atoms initial = initialAtoms(model);
+  RelaxedGrounding result{initial, {}};
+  const auto may_hold = [&](const Literal& literal) {
+    if (!literal.negated) return result.atoms.count(literal.atom) > 0;
+    return initial.count(literal.atom) == 0 || deleted_predicates.count(literal.atom.name) > 0;
+  };
+  std::set<GroundName> taken;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const GroundAction& action : all) {
+      if (taken.count(action.name) > 0) continue;
+      if (!std::all_of(action.precondition.begin(), action.precondition.end(), may_hold)) continue;
+      taken.insert(action.name);
+      result.actions.push_back(action);
+      result.atoms.insert(action.add.begin(), action.add.end());
+      changed = true;
+    }
+  }
+  return result;
+}
+
+LiftedSpace::LiftedSpace(const Model& model, std::size_t most_states, bool unit_costs) {
+  Bits initial = 0;
+  for (const GroundName& atom : initialAtoms(model)) initial |= bit(atom);
+  for (const GroundAction& action : allActions(model)) {
+    BitAction bits;
+    for (const Literal& literal : action.precondition) {
+      (literal.negated ? bits.negative : bits.positive) |= bit(literal.atom);
+    }
+    for (const GroundName& atom : action.add) bits.add |= bit(atom);
+    for (const GroundName& atom : action.del) bits.del |= bit(atom);
+    bits.cost = unit_costs ? 1 : action.cost;
+    actions_.push_back(bits);
+  }
+  std::set<std::pair<std::int64_t, Bits>> open = {{0, initial}};
+  while (!open.empty()) {
+    const auto [cost, state] = *open.begin();
+    open.erase(open.begin());
+    if (!cost_.emplace(state, cost).second) continue;
+    complete_ = cost_.size() <= most_states;
+    if (!complete_) return;
+    for (const BitAction& action : actions_) {
+      if ((state & action.positive) != action.positive || (state & action.negative) != 0) continue;
+      const Bits after = (state & ~action.del) | action.add;
+      if (cost_.count(after) == 0) open.emplace(cost + action.cost, after);
+    }
+  }
+}
+
+LiftedSpace::Bits LiftedSpace::bit(const GroundName& atom) {
+  const std::size_t next = index_.size();
+  const std::size_t index = index_.emplace(atom, next).first->second;
+  if (index >= 64) throw std::length_error("too many atoms for the explicit state space");
+  return Bits{1} << index;
+}
+
+std::vector<Atoms> LiftedSpace::states() const {
+  std::vector<Atoms> result;
+  for (const auto& [state, cost] : cost_) {
+    Atoms atoms;
+    for (const auto& [atom, index] : index_) {
+      if (((state >> index) & 1U) != 0) atoms.insert(atom);
+    }
+    result.push_back(std::move(atoms));
+  }
+  return result;
+}
+
+bool LiftedSpace::holds(const Literal& literal, Bits state) const {
+  const auto found = index_.find(literal.atom);
+  const bool is_true = found != index_.end() && ((state >> found->second) & 1U) != 0;
+  return is_true != literal.negated;
+}
+
+bool LiftedSpace::holds(const std::vector<Literal>& goal, Bits state) const {
+  return std::all_of(goal.begin(), goal.end(),
+                     [&](const Literal& literal) { return holds(literal, state); });
+}
+
+std::optional<std::int64_t> LiftedSpace::cheapest(const std::vector<Literal>& goal) const {
+  std::optional<std::int64_t> best;
+  for (const auto& [state, cost] : cost_) {
+    if (holds(goal, state) && (!best || cost < *best)) best = cost;
+  }
+  return best;
+}
+
+std::set<std::uint64_t> LiftedSpace::fluentsWith(const std::vector<Literal>& goal,
+                                                 const std::vector<Literal>& fluents) const {
+  std::set<std::uint64_t> result;
+  for (const auto& [state, cost] : cost_) {
+    if (!holds(goal, state)) continue;
+    std::uint64_t present = 0;
+    for (std::size_t f = 0; f < fluents.size(); ++f) {
+      if (holds(fluents[f], state)) present |= std::uint64_t{1} << f;
+    }
+    result.insert(present);
+  }
+  return result;
+}
+
+}  // namespace goal_alignment::oracles

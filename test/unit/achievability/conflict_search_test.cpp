@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "goal_alignment/achievability/achievability.h"
+#include "oracles/random_hagl.h"
+#include "oracles/seeds.h"
+#include "samples.h"
+
+namespace goal_alignment::achievability {
+namespace {
+
+using oracles::CandidateBits;
+using oracles::Hagl;
+using samples::make;
+using samples::provenConflicts;
+using samples::setOf;
+
+RC_GTEST_PROP(ConflictSearch, FindsExactlyTheMinimalConflicts, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  RC_LOG() << samples::text(hagl);
+  const std::set<CandidateBits> expected = hagl.minimalConflicts();
+  for (SearchBudget budget : samples::ways()) {
+    if (budget.second_greedy == 1) budget.first_greedy = 1'000'000;
+    const auto robot = make(hagl, budget);
+    RC_ASSERT(!robot->complete());
+    RC_ASSERT(robot->findAllConflicts({}));
+    RC_ASSERT(robot->complete());
+    RC_ASSERT(provenConflicts(*robot) == expected);
+    RC_ASSERT(robot->conflicts().size() == expected.size());
+    for (const Conflict& conflict : robot->conflicts()) RC_ASSERT(conflict.minimal);
+  }
+}
+
+/// What is known must be so, however little was searched.
+void requireSound(const Hagl& hagl, const Achievability& robot) {
+  const std::set<CandidateBits> minimal = hagl.minimalConflicts();
+  for (const Conflict& conflict : robot.conflicts()) {
+    const CandidateBits set = conflict.members.to_ulong();
+    if (conflict.proven) RC_ASSERT(!hagl.achievable(set));
+    if (conflict.minimal) RC_ASSERT(conflict.proven && minimal.count(set) > 0);
+  }
+  for (const auto& achieved : robot.achieved()) RC_ASSERT(hagl.achievable(achieved.set.to_ulong()));
+  if (robot.complete()) RC_ASSERT(provenConflicts(robot) == minimal);
+}
+
+RC_GTEST_PROP(ConflictSearch, IsSoundWithTinyBudgets, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  RC_LOG() << samples::text(hagl);
+  const SearchBudget budget = {random.below(6), random.below(6), random.below(6)};
+  const auto robot = make(hagl, budget);
+  const bool complete = robot->findAllConflicts({});
+  RC_ASSERT(complete == robot->complete());
+  requireSound(hagl, *robot);
+  // Nothing is left over: what holds no conflict known or suspected was achieved by a plan.
+  for (CandidateBits set = 0; set <= hagl.all(); ++set) {
+    const bool free = std::none_of(
+        robot->conflicts().begin(), robot->conflicts().end(), [&](const Conflict& conflict) {
+          return conflict.members.is_subset_of(setOf(hagl.size(), set));
+        });
+    if (free) RC_ASSERT(hagl.achievable(set));
+  }
+}
+
+RC_GTEST_PROP(ConflictSearch, SaysUnknownRatherThanGuess, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  const SearchBudget budget = {random.below(4), random.below(4), random.below(4)};
+  const auto robot = make(hagl, budget);
+  for (int i = 0; i < 30; ++i) {
+    const CandidateBits set = random.below(hagl.all() + 1);
+    const Check check = robot->check(setOf(hagl.size(), set), {});
+    if (check.verdict == Verdict::Unknown) {
+      RC_ASSERT(check.limit == LimitReason::States);
+      if (oracles::chance(random, 0.5)) robot->suspect(setOf(hagl.size(), set));
+    } else {
+      RC_ASSERT((check.verdict == Verdict::Achievable) == hagl.achievable(set));
+    }
+  }
+  requireSound(hagl, *robot);
+}
+
+// A session goes on after a cancel, with everything it had learnt and nothing spoilt.
+RC_GTEST_PROP(ConflictSearch, GoesOnAfterACancel, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  RC_LOG() << samples::text(hagl);
+  const SearchBudget budget = {random.below(10), 1'000'000, random.below(10)};
+  const auto robot = make(hagl, budget);
+  CancelToken token;
+  Limits limits;
+  limits.cancel = &token;
+  token.cancel();
+  robot->findAllConflicts(limits);
+  requireSound(hagl, *robot);
+  token.reset();
+  RC_ASSERT(robot->findAllConflicts(limits));
+  RC_ASSERT(provenConflicts(*robot) == hagl.minimalConflicts());
+}
+
+RC_GTEST_PROP(ConflictSearch, SuspicionsAreClearedByPlans, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  const auto robot = make(hagl);
+  for (int i = 0; i < 3; ++i) {
+    const CandidateBits set = random.below(hagl.all() + 1);
+    if (robot->provenConflictWithin(setOf(hagl.size(), set)) == nullptr) {
+      robot->suspect(setOf(hagl.size(), set));
+    }
+  }
+  // Suspicions hide nothing for good: each is either proven in the end or gone.
+  for (CandidateBits set = 0; set <= hagl.all(); ++set) robot->check(setOf(hagl.size(), set), {});
+  RC_ASSERT(robot->findAllConflicts({}));
+  RC_ASSERT(provenConflicts(*robot) == hagl.minimalConflicts());
+}
+
+}  // namespace
+}  // namespace goal_alignment::achievability

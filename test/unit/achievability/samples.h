@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "goal_alignment/achievability/achievability.h"
+#include "goal_alignment/grounding/grounder.h"
+#include "oracles/random_hagl.h"
+
+/// What the tests of `achievability` share.
+namespace goal_alignment::achievability::samples {
+
+/// Budgets that take each way through check(): greedy search, exhaustive search, and greedy search
+/// after an exhaustive one that did not finish.
+inline std::vector<SearchBudget> ways() {
+  return {SearchBudget{}, {1, 1'000'000, 1}, {1, 1, 1'000'000}, {100'000, 1, 1}};
+}
+
+inline std::unique_ptr<Achievability> make(const oracles::Hagl& hagl,
+                                           const SearchBudget& budget = {},
+                                           const Limits& limits = {}) {
+  std::vector<Literal> goals = hagl.specified;
+  goals.insert(goals.end(), hagl.candidates.begin(), hagl.candidates.end());
+  const grounding::GroundTask task = grounding::ground(hagl.robot, goals, {}, {});
+  return std::make_unique<Achievability>(task, hagl.specified, hagl.candidates, budget, limits);
+}
+
+inline CandidateSet setOf(std::size_t candidates, std::uint64_t bits) {
+  return CandidateSet(candidates, bits);
+}
+
+inline std::set<oracles::CandidateBits> provenConflicts(const Achievability& robot) {
+  std::set<oracles::CandidateBits> sets;
+  for (const Conflict& conflict : robot.conflicts()) {
+    if (conflict.proven) sets.insert(conflict.members.to_ulong());
+  }
+  return sets;
+}
+
+/// The four files and the plan, for a failing case.
+inline std::string text(const oracles::Hagl& hagl) {
+  std::string result = hagl.input.robot_domain.text + hagl.input.robot_problem.text +
+                       hagl.input.human_domain.text + hagl.input.human_problem.text + "; plan";
+  for (const GroundName& step : hagl.input.human_plan) result += " " + step.text();
+  result += "\n; specified";
+  for (const Literal& literal : hagl.specified) result += " " + literal.text();
+  result += "\n; true goal";
+  for (const Literal& literal : hagl.true_goal) result += " " + literal.text();
+  return result + "\n";
+}
+
+}  // namespace goal_alignment::achievability::samples

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/alignment/robot_side.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "goal_alignment/common/exceptions.h"
+#include "goal_alignment/validation/execution.h"
+#include "oracles/random_hagl.h"
+#include "oracles/seeds.h"
+#include "samples.h"
+
+namespace goal_alignment::alignment {
+namespace {
+
+Problem desk(std::vector<GroundName> plan) {
+  return makeProblem(samples::deskRobot(), samples::deskHuman(), {}, std::move(plan));
+}
+
+TEST(RobotSide, TellsWhereTheHumanPlanBreaks) {
+  const Problem problem = desk(samples::deskPlan());
+  const RobotSide side = makeRobotSide(problem, true, {}, {});
+  EXPECT_FALSE(side.human_plan_runs);
+  EXPECT_NE(side.human_plan_violation.find("(take B)"), std::string::npos);
+  EXPECT_NE(side.human_plan_violation.find("(free)"), std::string::npos);
+  EXPECT_EQ(side.achievability->candidateCount(), problem.candidates.size());
+}
+
+TEST(RobotSide, APlanThatRunsHasNoViolation) {
+  const RobotSide side = makeRobotSide(desk({{"take", {"a"}}, {"put", {"a"}}}), true, {}, {});
+  EXPECT_TRUE(side.human_plan_runs);
+  EXPECT_EQ(side.human_plan_violation, "");
+}
+
+// Stage 0: what the plan reaches on the robot's side is known without a search.
+TEST(RobotSide, RemembersWhatTheHumanPlanAchieves) {
+  const Problem problem = desk(samples::deskPlan());
+  const RobotSide side = makeRobotSide(problem, true, {}, {});
+  achievability::CandidateSet held_a(problem.candidates.size());
+  held_a.set(3);
+  EXPECT_EQ(problem.candidates[3].fluent.text(), "(held a)");
+  const achievability::Check check = side.achievability->check(held_a, {});
+  EXPECT_EQ(check.verdict, achievability::Verdict::Achievable);
+  EXPECT_EQ(side.achievability->plannerCalls(), 0U);
+}
+
+RC_GTEST_PROP(RobotSide, RunsThePlanAsTheValidatorDoes, ()) {
+  RandomSource random = oracles::anySource();
+  const oracles::Hagl hagl = oracles::randomHagl(random);
+  const Problem problem =
+      makeProblem(hagl.robot, hagl.human, hagl.input.goal, hagl.input.human_plan);
+  const RobotSide side = makeRobotSide(problem, true, {}, {});
+  const validation::Execution execution =
+      validation::execute(hagl.robot, hagl.input.human_plan);
+  RC_ASSERT(side.human_plan_runs == !execution.violation.has_value());
+  if (execution.violation) RC_ASSERT(side.human_plan_violation == execution.violation->message);
+}
+
+TEST(RobotSide, StopsWhenCancelled) {
+  CancelToken token;
+  token.cancel();
+  Limits limits;
+  limits.cancel = &token;
+  EXPECT_THROW(makeRobotSide(desk({}), true, {}, limits), LimitReached);
+}
+
+}  // namespace
+}  // namespace goal_alignment::alignment

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/heuristics/lm_cut.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <optional>
+
+#include "oracles/heuristics.h"
+#include "oracles/random_task.h"
+#include "oracles/seeds.h"
+#include "oracles/state_space.h"
+
+namespace goal_alignment::heuristics {
+namespace {
+
+using oracles::Facts;
+using task::Cost;
+using task::Task;
+
+RC_GTEST_PROP(LmCut, LiesBetweenHMaxAndTheOptimalCost, ()) {
+  RandomSource random = oracles::anySource();
+  const Task task = oracles::randomTask(random);
+  const task::FactSet goal = oracles::randomGoal(random, task);
+  LmCut lm_cut(task, goal);
+  for (const auto& [facts, way] : oracles::reachable(task, oracles::initialFacts(task))) {
+    const Cost h = lm_cut.evaluate(oracles::stateOf(task, facts).data());
+    const std::optional<Cost> h_max = oracles::hMax(task, facts, goal);
+    RC_ASSERT((h == kInfinity) == !h_max.has_value());
+    if (!h_max) continue;
+    RC_ASSERT(h >= *h_max);
+    const std::optional<Cost> best = oracles::optimalCost(task, facts, goal);
+    if (best) RC_ASSERT(h <= *best);
+  }
+}
+
+RC_GTEST_PROP(LmCut, IsZeroExactlyInGoalStatesWhereNothingIsFree, ()) {
+  RandomSource random = oracles::anySource();
+  oracles::TaskSize size;
+  size.least_cost = 1;
+  const Task task = oracles::randomTask(random, size);
+  const task::FactSet goal = oracles::randomGoal(random, task);
+  LmCut lm_cut(task, goal);
+  for (const auto& [facts, way] : oracles::reachable(task, oracles::initialFacts(task))) {
+    const Cost h = lm_cut.evaluate(oracles::stateOf(task, facts).data());
+    RC_ASSERT((h == 0) == oracles::holds(goal, facts));
+  }
+}
+
+// The evaluator keeps buffers between calls: what it says must not depend on what it was asked before.
+RC_GTEST_PROP(LmCut, ForgetsEarlierEvaluations, ()) {
+  RandomSource random = oracles::anySource();
+  const Task task = oracles::randomTask(random);
+  const task::FactSet goal = oracles::randomGoal(random, task);
+  LmCut used(task, goal);
+  for (const auto& [facts, way] : oracles::reachable(task, oracles::initialFacts(task))) {
+    const task::State state = oracles::stateOf(task, facts);
+    RC_ASSERT(used.evaluate(state.data()) == LmCut(task, goal).evaluate(state.data()));
+  }
+}
+
+/// From 0 to 3 in two ways, costs as in the example of Helmert & Domshlak's talk: h_max sees the
+/// dearer half only, LM-cut both.
+TEST(LmCut, AddsUpLandmarksThatHMaxCannot) {
+  Task task;
+  task.facts.resize(3);
+  task.operators.push_back({{"left", {}}, {0}, {1}, {}, 3});
+  task.operators.push_back({{"right", {}}, {0}, {2}, {}, 4});
+  task.initial = {0};
+  const Facts initial = oracles::initialFacts(task);
+  EXPECT_EQ(oracles::hMax(task, initial, {1, 2}), 4);
+  EXPECT_EQ(LmCut(task, {1, 2}).evaluate(oracles::stateOf(task, initial).data()), 7);
+}
+
+TEST(LmCut, CostsBeyondTheBucketsOfItsQueueAreExact) {
+  Task task;
+  task.facts.resize(4);
+  task.operators.push_back({{"a", {}}, {0}, {1}, {}, 1'000'000'000'000});
+  task.operators.push_back({{"b", {}}, {1}, {2}, {}, 5});
+  task.operators.push_back({{"c", {}}, {2}, {3}, {}, 70'000});
+  task.initial = {0};
+  const task::State state = task::initialState(task);
+  EXPECT_EQ(LmCut(task, {3}).evaluate(state.data()), 1'000'000'070'005);
+}
+
+TEST(LmCut, AnEmptyGoalCostsNothing) {
+  RandomSource random(1);
+  const Task task = oracles::randomTask(random);
+  EXPECT_EQ(LmCut(task, {}).evaluate(task::initialState(task).data()), 0);
+}
+
+}  // namespace
+}  // namespace goal_alignment::heuristics

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "goal_alignment/session/session.h"
+#include "oracles/random_hagl.h"
+#include "oracles/seeds.h"
+#include "samples.h"
+
+/// Running out and being told to stop: never taken for a proof.
+namespace goal_alignment::session {
+namespace {
+
+using oracles::Hagl;
+using samples::atFirstQuestion;
+using samples::code;
+using samples::desk;
+using samples::expectedCode;
+using samples::honest;
+using samples::literals;
+using samples::options;
+using samples::talk;
+using samples::think;
+using samples::wanting;
+
+TEST(Limits, ATinyTimeLimitEndsUndecided) {
+  Options chosen;
+  chosen.time_limit = 1e-9;
+  Session session(chosen);
+  session.begin(desk());
+  EXPECT_EQ(think(session), State::Done);
+  EXPECT_EQ(code(session), 53);
+}
+
+TEST(Limits, ATinyMemoryLimitEndsUndecided) {
+  Options chosen;
+  chosen.memory_limit = 1;
+  Session session(chosen);
+  session.begin(desk());
+  EXPECT_EQ(think(session), State::Done);
+  EXPECT_EQ(code(session), 54);
+}
+
+// Whatever the limits, the outcome is the right one or none. Little memory leaves suspected
+// conflicts behind; a clock may stop anything anywhere.
+RC_GTEST_PROP(Limits, NeverMakeAnOutcomeWrong, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  RC_LOG() << samples::text(hagl);
+  for (const char* policy : {"auto", "paper", "ask-all"}) {
+    Options chosen = options(
+        policy, oracles::chance(random, 0.5) ? ConflictMode::Full : ConflictMode::Lazy, 1);
+    if (oracles::chance(random, 0.7)) {
+      chosen.memory_limit = 1000 + random.below(300'000);
+    } else {
+      chosen.time_limit = 1e-6 + random.unit() * 5e-4;
+    }
+    Session session(chosen);
+    session.begin(hagl.input);
+    talk(session, honest(hagl));
+    RC_LOG() << policy << ": " << session.outcome().message << "\n";
+    if (code(session) != 53 && code(session) != 54) RC_ASSERT(code(session) == expectedCode(hagl));
+    // Memory is no matter of time.
+    if (chosen.time_limit > 1) RC_ASSERT(code(session) != 53);
+  }
+}
+
+TEST(Limits, ANewAllowanceComesWithANewAnswer) {
+  Options chosen;
+  chosen.time_limit = 0.2;
+  Session session = atFirstQuestion(chosen);
+  session.giveUpWaiting("nobody");
+  for (int i = 0; i < 3; ++i) {
+    session.setRobotState({{"free", {}}, {"down", {"a"}}, {"down", {"b"}}});
+    std::this_thread::sleep_for(std::chrono::milliseconds(120));  // waiting is no thinking
+    think(session);
+    EXPECT_NE(code(session), 53);
+  }
+}
+
+TEST(Cancel, BeforeTheFirstStepEndsAtTheFirstStep) {
+  Session session{Options{}};
+  session.cancel();
+  session.begin(desk());
+  EXPECT_EQ(session.step(), State::Done);
+  EXPECT_EQ(code(session), 50);
+}
+
+TEST(Cancel, InEveryPhaseEndsAtTheNextStep) {
+  for (int steps = 1;; ++steps) {
+    Session session{Options{}};
+    session.begin(desk());
+    for (int i = 0; i < steps && session.state() == State::Analysing; ++i) session.step();
+    if (session.state() != State::Analysing) break;
+    session.cancel();
+    EXPECT_EQ(session.step(), State::Done) << steps;
+    EXPECT_EQ(code(session), 50) << steps;
+  }
+}
+
+TEST(Cancel, WhileAQuestionIsOpen) {
+  Session session = atFirstQuestion();
+  session.cancel();
+  EXPECT_EQ(session.step(), State::Done);
+  EXPECT_EQ(code(session), 50);
+  EXPECT_FALSE(session.question().has_value());
+}
+
+TEST(Cancel, IsUsedUpByTheOutcomeItBrings) {
+  Session session = atFirstQuestion();
+  session.answer(literals({"(held b)"}), AnswerKind::No, "me");
+  session.cancel();
+  think(session);
+  EXPECT_EQ(code(session), 50);
+  session.answer(literals({"(held a)"}), AnswerKind::No, "me");
+  EXPECT_EQ(think(session), State::Done);
+  EXPECT_EQ(code(session), 1);
+}
+
+// A cancel that comes when all is done must not end what is taken up later.
+TEST(Cancel, AfterTheOutcomeIsNoCancelOfWhatComesNext) {
+  Session session = atFirstQuestion();
+  talk(session, wanting({"(held a)"}));
+  session.cancel();
+  EXPECT_EQ(session.step(), State::Done);
+  EXPECT_EQ(code(session), 1);
+  EXPECT_TRUE(session.revise(literals({"(held b)"}), AnswerKind::Yes, "me").accepted);
+  think(session);
+  EXPECT_EQ(code(session), 52);
+}
+
+RC_GTEST_PROP(Cancel, AtAnyTimeSpoilsNothing, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomDisputedHagl(random);
+  RC_LOG() << samples::text(hagl);
+  Session session(options(oracles::chance(random, 0.5) ? "auto" : "paper",
+                          oracles::chance(random, 0.5) ? ConflictMode::Full : ConflictMode::Lazy,
+                          random.below(100)));
+  session.begin(hagl.input);
+  // Past the first phases: before them there is no task that a later answer could belong to.
+  session.step();
+  session.step();
+  for (int i = 0; i < 40 && session.state() != State::Done; ++i) {
+    if (session.state() == State::AwaitingAnswer) {
+      const Literal fluent = session.question()->fluents.front();
+      session.answer({fluent}, honest(hagl)(fluent), "person");
+    }
+    if (oracles::chance(random, 0.2)) session.cancel();
+    session.step();
+  }
+  if (session.state() == State::Done && code(session) != 50) {
+    RC_ASSERT(code(session) == expectedCode(hagl));
+    return;
+  }
+  // Going on with the state that it had leads to the right end.
+  std::vector<GroundName> atoms;
+  for (const GroundName& atom : oracles::initialAtoms(hagl.robot)) atoms.push_back(atom);
+  session.setRobotState(atoms);
+  talk(session, honest(hagl));
+  RC_ASSERT(code(session) == expectedCode(hagl));
+}
+
+/// Three things wanted in two places, beside 30 switches that have nothing to do with it: a search
+/// that goes on for ever, as far as a person is concerned.
+Input endless() {
+  const std::string domain = R"((define (domain endless)
+    (:predicates (on ?x) (place ?x) (thing ?x) (full ?p) (stowed ?x) (switch ?x))
+    (:action stow :parameters (?x ?p) :precondition (and (thing ?x) (place ?p) (not (full ?p)))
+      :effect (and (stowed ?x) FULL))
+    (:action flip :parameters (?x) :precondition (and (switch ?x) (not (on ?x))) :effect (on ?x))
+    (:action flop :parameters (?x) :precondition (and (switch ?x) (on ?x)) :effect (not (on ?x)))))";
+  std::string objects;
+  std::string init;
+  for (int i = 0; i < 30; ++i) {
+    objects += " s" + std::to_string(i);
+    init += " (switch s" + std::to_string(i) + ")";
+  }
+  const std::string problem = "(define (problem p) (:domain endless) (:objects a b c p q" + objects +
+                              ") (:init (thing a) (thing b) (thing c) (place p) (place q)" + init +
+                              ") (:goal (and)))";
+  Input input;
+  std::string robot = domain;
+  input.robot_domain = {"robot.pddl", robot.replace(robot.find("FULL"), 4, "(full ?p)")};
+  std::string human = domain;
+  input.human_domain = {"human.pddl", human.replace(human.find("FULL"), 4, "")};
+  input.robot_problem = input.human_problem = {"p.pddl", problem};
+  input.human_plan = {{"stow", {"a", "p"}}, {"stow", {"b", "p"}}, {"stow", {"c", "p"}}};
+  return input;
+}
+
+TEST(Cancel, FromAnotherThreadEndsALongSearch) {
+  Session session{Options{}};
+  session.begin(endless());
+  std::chrono::steady_clock::time_point cancelled_at;
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    cancelled_at = std::chrono::steady_clock::now();
+    session.cancel();
+  });
+  think(session);
+  const auto ended_at = std::chrono::steady_clock::now();
+  other.join();
+  EXPECT_EQ(code(session), 50);
+  // 100 ms are promised; a busy machine gets more.
+  EXPECT_LT(ended_at - cancelled_at, std::chrono::seconds(2));
+}
+
+TEST(Limits, TheTimeLimitEndsALongSearch) {
+  Options chosen;
+  chosen.time_limit = 0.3;
+  Session session(chosen);
+  session.begin(endless());
+  const auto began = std::chrono::steady_clock::now();
+  think(session);
+  EXPECT_EQ(code(session), 53);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(3));
+}
+
+TEST(Limits, TheMemoryLimitEndsALongSearch) {
+  Options chosen = options("paper");
+  chosen.memory_limit = 20'000'000;
+  Session session(chosen);
+  session.begin(endless());
+  talk(session, wanting({"(stowed a)", "(stowed b)", "(stowed c)"}));
+  EXPECT_EQ(code(session), 54) << session.outcome().message;
+}
+
+}  // namespace
+}  // namespace goal_alignment::session
