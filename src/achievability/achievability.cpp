@@ -162,6 +162,11 @@ Check Achievability::check(const CandidateSet& set, const Limits& limits) {
     const Limits second = limits.withStates(budget_.second_greedy);
     if (const auto found = searchGreedily(set, second, last)) return *found;
   }
+  // The states of a search are our own budget: with more memory there would be an answer.
+  if (last.limit == LimitReason::States && exhaustive_limit_ == LimitReason::Memory) {
+    last.limit = LimitReason::Memory;
+  }
+  last_limit_ = last.limit;
   return last;
 }
 
@@ -196,7 +201,10 @@ Verdict Achievability::reachableAlone(std::size_t candidate, const Limits& limit
     recordPlan(result.plan);
     return Verdict::Achievable;
   }
-  if (result.status == search::Status::LimitReached) return Verdict::Unknown;
+  if (result.status == search::Status::LimitReached) {
+    last_limit_ = result.limit;
+    return Verdict::Unknown;
+  }
   never_true_.set(candidate);
   return Verdict::Unachievable;
 }

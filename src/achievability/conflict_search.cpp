@@ -44,6 +44,7 @@ LimitReason Achievability::exhaust(const Limits& limits) {
     conflicts_.clearSuspectedWithin(set);
   }
   exhaustive_complete_ = reason == LimitReason::None;
+  exhaustive_limit_ = reason;
   // What a person or the clock broke off may be tried anew; states and bytes would end it again.
   exhaustive_tried_ = reason != LimitReason::Cancelled && reason != LimitReason::Time;
   return reason;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -20,11 +21,10 @@ namespace {
 constexpr double kLeastBelief = 0.02;
 constexpr double kMostBelief = 0.98;
 
-/// exp(−β·Δ), all divided by the largest, so that large differences don't vanish together.
-std::vector<double> weights(const std::vector<double>& differences, double beta) {
-  std::vector<double> result(differences.size(), 0);
-  if (differences.empty()) return result;
-  const double least = *std::min_element(differences.begin(), differences.end());
+/// exp(−β·(Δ − least)): where `least` is the smallest difference of those that are summed up, large
+/// differences don't vanish together.
+std::vector<double> weights(const std::vector<double>& differences, double beta, double least) {
+  std::vector<double> result(differences.size());
   std::transform(differences.begin(), differences.end(), result.begin(),
                  [=](double difference) { return std::exp(-beta * (difference - least)); });
   return result;
@@ -118,15 +118,19 @@ std::vector<double> beliefs(const Problem& problem, const std::vector<double>& d
                             const BeliefOptions& options) {
   std::vector<double> result(differences.size(), options.flat);
   if (options.mode == BeliefMode::Normalised) {
-    result = weights(differences, options.beta);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+      if (!problem.candidates[i].is_static) least = std::min(least, differences[i]);
+    }
+    // With static candidates alone there is nothing to share the expectation among.
+    if (std::isinf(least)) return std::vector<double>(differences.size(), kLeastBelief);
+    result = weights(differences, options.beta, least);
     double sum = 0;
     for (std::size_t i = 0; i < result.size(); ++i) {
       if (!problem.candidates[i].is_static) sum += result[i];
     }
-    // With static candidates alone there is nothing to share the expectation among.
-    const double scale = sum > 0 ? options.kappa / sum : 0;
     for (double& belief : result)
-      belief *= scale;
+      belief *= options.kappa / sum;
   } else if (options.mode == BeliefMode::Raw) {
     std::transform(differences.begin(), differences.end(), result.begin(),
                    [&](double difference) { return std::exp(-options.beta * difference); });
@@ -137,7 +141,9 @@ std::vector<double> beliefs(const Problem& problem, const std::vector<double>& d
 }
 
 std::vector<double> paperBeliefs(const std::vector<double>& differences, double beta) {
-  std::vector<double> result = weights(differences, beta);
+  if (differences.empty()) return {};
+  const double least = *std::min_element(differences.begin(), differences.end());
+  std::vector<double> result = weights(differences, beta, least);
   double sum = 0;
   for (const double weight : result)
     sum += weight;

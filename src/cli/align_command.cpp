@@ -74,9 +74,7 @@ class Alignment {
     }
     if (kind) {
       session_.answer(question.fluents, *kind, oracle_ ? "true goal" : "terminal");
-    } else if (!std::cin.eof() && arguments_.interactive) {
-      session_.cancel();  // the read was interrupted
-    } else {
+    } else if (session_.step() != session::State::Done) {  // Ctrl-C ends the read, too
       session_.giveUpWaiting("there is nobody to answer whether " +
                              session_.spelling(question.fluents.front()) + " matters");
     }
@@ -88,7 +86,7 @@ class Alignment {
       return;
     }
     for (const session::QuestionRecord& record : session_.questions()) {
-      const char* const words[] = {"no", "yes", "don't know"};
+      const char* const words[] = {"no", "yes", "don't know", "declined"};
       std::cout << "; asked " << session_.spelling(record.fluents.front()) << ": "
                 << words[static_cast<int>(record.answer)] << '\n';
     }

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 
 #include "goal_alignment/cli/commands.h"
 #include "goal_alignment/session/outcome.h"
@@ -35,6 +36,9 @@ int main(int argc, char** argv) {
     return kUsageError;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kUsageError;
+  } catch (const std::invalid_argument& out_of_range) {
+    std::cerr << "hagl: " << out_of_range.what() << '\n';
+    return kUsageError;
   } catch (const std::exception& exception) {
     std::cerr << "hagl: " << exception.what() << '\n';
     return goal_alignment::session::exitStatus(goal_alignment::session::outcomeOf(exception).code);

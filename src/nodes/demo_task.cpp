@@ -53,6 +53,14 @@ void waitForServer(const Client& client, const std::string& name) {
   }
 }
 
+// actionlib's clients wait for a simulated clock to begin, deaf to interrupts.
+void waitForClock() {
+  while (!ros::Time::isValid()) {
+    if (!goesOn()) throw std::runtime_error("interrupted");
+    ros::WallDuration(kPollPeriod).sleep();
+  }
+}
+
 // Not waitForResult(), which would not notice an interrupt.
 template <typename Client>
 void waitForResult(Client& client) {
@@ -115,6 +123,7 @@ void run() {
   ros::AsyncSpinner spinner(1);
   spinner.start();
   story.begin(task);
+  waitForClock();
   execute(node, story, align(node, story, task));
   spinner.stop();
 }

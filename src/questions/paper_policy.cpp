@@ -56,9 +56,9 @@ void PaperPolicy::fillQueue() {
 std::optional<Choice> PaperPolicy::next(const Situation& situation) {
   if (!queue_filled_) fillQueue();
   // Nothing is taken off the queue: what was answered "don't know" may become open once more.
-  const auto first =
-      std::find_if(queue_.rbegin(), queue_.rend(),
-                   [&](std::size_t f) { return situation.knowledge[f] == Knowledge::Open; });
+  const auto first = std::find_if(queue_.rbegin(), queue_.rend(), [&](std::size_t f) {
+    return situation.knowledge[f] == Knowledge::Open;
+  });
   if (first == queue_.rend()) return std::nullopt;
   return Choice{*first, smallestLiveConflict(situation, *first)};
 }

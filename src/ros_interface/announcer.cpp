@@ -37,10 +37,7 @@ void Announcer::publish(Plan plan) {
 
 Question Announcer::publish(Question question) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  // Dialogue nodes tell by the stamp whether "none is open" came after their question, so stamps
-  // grow even while a simulated clock stands still.
-  question_stamp_ = std::max(stampNow(), question_stamp_ + ros::Duration(0, 1));
-  question.header.stamp = question_stamp_;
+  question.header.stamp = stampNow();
   question.header.seq = ++question_seq_;
   questions_.publish(question);
   return question;

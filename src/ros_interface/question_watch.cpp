@@ -16,9 +16,9 @@ constexpr std::chrono::milliseconds kShutdownCheck{100};
 
 }  // namespace
 
-bool endsQuestion(const Question& shown, const Question& asked) {
-  if (shown.question_id == 0) return shown.header.stamp > asked.header.stamp;
-  return shown.question_id > asked.question_id;
+bool endsQuestion(const Question& shown, std::uint32_t newest, const Question& asked) {
+  if (shown.question_id != 0) return shown.question_id > asked.question_id;
+  return newest >= asked.question_id || shown.header.stamp > asked.header.stamp;
 }
 
 QuestionWatch::QuestionWatch(ros::NodeHandle node, std::function<void()> changed)
@@ -29,6 +29,7 @@ void QuestionWatch::show(const Question::ConstPtr& question) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     shown_ = *question;
+    newest_ = std::max(newest_, question->question_id);
   }
   shown_changed_.notify_all();
   if (changed_) changed_();
@@ -36,7 +37,7 @@ void QuestionWatch::show(const Question::ConstPtr& question) {
 
 bool QuestionWatch::isGone(const Question& asked) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return endsQuestion(shown_, asked);
+  return endsQuestion(shown_, newest_, asked);
 }
 
 bool QuestionWatch::waitUntilGone(const Question& asked,
@@ -44,7 +45,7 @@ bool QuestionWatch::waitUntilGone(const Question& asked,
   using Clock = std::chrono::steady_clock;
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(at_most);
   std::unique_lock<std::mutex> lock(mutex_);
-  while (!endsQuestion(shown_, asked) && ros::ok()) {
+  while (!endsQuestion(shown_, newest_, asked) && ros::ok()) {
     const auto now = Clock::now();
     if (now >= deadline) return false;
     shown_changed_.wait_until(lock, std::min(deadline, now + kShutdownCheck));

@@ -109,7 +109,7 @@ bool Session::Implementation::concludeBlocked() {
       finish(std::move(outcome));
     } else {
       Outcome outcome;
-      outcome.code = OutcomeCode::TimeLimit;
+      outcome.code = outcomeOf(robot().lastLimit());
       outcome.conflict = fluents(conflict.members);
       outcome.message =
           "I could not find out within the limits whether all this can be had together: " +

@@ -86,6 +86,13 @@ void Dialogue::ask(std::size_t candidate, const achievability::Conflict* conflic
   open_ = std::move(question);
 }
 
+void Dialogue::decline() {
+  if (!open_) return;
+  open_->record.answer = AnswerKind::Decline;
+  records_.push_back(open_->record);
+  open_.reset();
+}
+
 bool Dialogue::reopenUnsure() {
   bool any = false;
   for (std::size_t f = 0; f < knowledge_.size(); ++f) {

@@ -27,6 +27,8 @@ class Dialogue {
 
   /// Opens a question about one candidate.
   void ask(std::size_t candidate, const achievability::Conflict* conflict);
+  /// The person would not answer: the open question, if there is one, ends with that.
+  void decline();
   /// Takes the open question back unanswered.
   void withdraw() { open_.reset(); }
   /// Makes every fluent answered "don't know" open once more; false when there is none left that

@@ -2,6 +2,7 @@
 #include "implementation.h"
 
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -24,8 +25,10 @@ void requireRange(bool holds, const std::string& what) {
 }
 
 void validate(const Options& options) {
-  requireRange(options.belief.beta >= 0, "beta must not be negative");
-  requireRange(options.belief.kappa > 0, "kappa must be positive");
+  requireRange(options.belief.beta >= 0 && std::isfinite(options.belief.beta),
+               "beta must be a number and not negative");
+  requireRange(options.belief.kappa > 0 && std::isfinite(options.belief.kappa),
+               "kappa must be a positive number");
   requireRange(options.belief.flat >= 0 && options.belief.flat <= 1,
                "a flat belief must lie between 0 and 1");
   requireRange(options.time_limit > 0, "the time limit must be positive");
@@ -207,7 +210,7 @@ std::vector<bool> Session::Implementation::unachievableAlone() {
   for (std::size_t f = 0; f < result.size(); ++f) {
     const Verdict verdict = robot().reachableAlone(f, limits());
     if (verdict == Verdict::Unknown)
-      throw LimitReached(LimitReason::Time, "a check of Algorithm 1");
+      throw LimitReached(robot().lastLimit(), "a check of Algorithm 1");
     result[f] = verdict == Verdict::Unachievable;
   }
   return result;
@@ -218,6 +221,8 @@ Receipt Session::Implementation::answer(const std::vector<Literal>& fluents, Ans
   if (!problem_ || !robot_side_.achievability)
     return {false, "the task is not analysed yet; there is no question"};
   if (kind == AnswerKind::Decline) {
+    if (state_ == State::Done) return {false, "the dialogue is over; there is nothing to decline"};
+    dialogue_.decline();
     finish(OutcomeCode::Declined, answered_by + " declined to answer");
     return {true, ""};
   }

@@ -23,7 +23,8 @@ AlgorithmOneRun algorithmOne(const Hagl& hagl, std::vector<std::size_t> queue) {
       if (!hagl.achievable(confirmed)) return run;
     } else {
       CandidateBits rest = confirmed;
-      for (const std::size_t g : queue) rest |= bit(g);
+      for (const std::size_t g : queue)
+        rest |= bit(g);
       if (hagl.achievable(rest)) {
         run.plan_found = true;
         return run;
@@ -53,7 +54,8 @@ std::vector<double> valueOfQuery(const std::vector<double>& belief,
 std::vector<double> normalisedBeliefs(const std::vector<double>& differences, double beta) {
   std::vector<double> beliefs;
   double sum = 0;
-  for (const double difference : differences) sum += std::exp(-beta * std::abs(difference));
+  for (const double difference : differences)
+    sum += std::exp(-beta * std::abs(difference));
   for (const double difference : differences) {
     beliefs.push_back(std::exp(-beta * std::abs(difference)) / sum);
   }

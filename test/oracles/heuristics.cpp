@@ -13,7 +13,8 @@ using task::Operator;
 
 std::optional<Cost> hMax(const task::Task& task, const Facts& state, const FactSet& goal) {
   std::map<FactId, Cost> cost;
-  for (const FactId fact : state) cost[fact] = 0;
+  for (const FactId fact : state)
+    cost[fact] = 0;
   const auto dearest = [&cost](const FactSet& facts) -> std::optional<Cost> {
     Cost most = 0;
     for (const FactId fact : facts) {
@@ -40,7 +41,9 @@ std::optional<Cost> hMax(const task::Task& task, const Facts& state, const FactS
 
 namespace {
 
-Pair makePair(FactId f, FactId g) { return {std::min(f, g), std::max(f, g)}; }
+Pair makePair(FactId f, FactId g) {
+  return {std::min(f, g), std::max(f, g)};
+}
 
 bool allPossible(const std::set<Pair>& possible, const FactSet& facts) {
   for (const FactId f : facts) {
@@ -69,7 +72,8 @@ bool achieves(const std::set<Pair>& possible, const Operator& op, FactId f, Fact
 std::set<Pair> possiblePairs(const task::Task& task) {
   std::set<Pair> possible;
   for (const FactId f : task.initial) {
-    for (const FactId g : task.initial) possible.insert(makePair(f, g));
+    for (const FactId g : task.initial)
+      possible.insert(makePair(f, g));
   }
   for (bool changed = true; changed;) {
     changed = false;
@@ -90,7 +94,8 @@ std::set<Pair> reachablePairs(const task::Task& task) {
   std::set<Pair> pairs;
   for (const auto& [facts, cost] : reachable(task, initialFacts(task))) {
     for (const FactId f : facts) {
-      for (const FactId g : facts) pairs.insert(makePair(f, g));
+      for (const FactId g : facts)
+        pairs.insert(makePair(f, g));
     }
   }
   return pairs;

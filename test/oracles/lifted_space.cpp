@@ -53,8 +53,10 @@ GroundAction instantiate(const Model& model, const pddl::Schema& schema, const B
   for (const pddl::LiftedLiteral& literal : schema.precondition) {
     action.precondition.push_back({groundAtom(model, literal.atom, binding), literal.negated});
   }
-  for (const auto& atom : schema.add) action.add.insert(groundAtom(model, atom, binding));
-  for (const auto& atom : schema.del) action.del.insert(groundAtom(model, atom, binding));
+  for (const auto& atom : schema.add)
+    action.add.insert(groundAtom(model, atom, binding));
+  for (const auto& atom : schema.del)
+    action.del.insert(groundAtom(model, atom, binding));
   action.cost = costOf(model, schema, binding);
   return action;
 }
@@ -78,14 +80,16 @@ void bindFrom(const Model& model, const pddl::Schema& schema, Binding& binding,
 
 Atoms initialAtoms(const Model& model) {
   Atoms atoms;
-  for (const pddl::Atom& atom : model.init) atoms.insert(model.name(atom));
+  for (const pddl::Atom& atom : model.init)
+    atoms.insert(model.name(atom));
   return atoms;
 }
 
 std::vector<GroundAction> allActions(const Model& model) {
   std::vector<GroundAction> actions;
   Binding binding;
-  for (const pddl::Schema& schema : model.schemas) bindFrom(model, schema, binding, actions);
+  for (const pddl::Schema& schema : model.schemas)
+    bindFrom(model, schema, binding, actions);
   return actions;
 }
 
@@ -97,7 +101,8 @@ bool holds(const std::vector<Literal>& literals, const Atoms& atoms) {
 
 Atoms successor(const GroundAction& action, const Atoms& atoms) {
   Atoms after = atoms;
-  for (const GroundName& atom : action.del) after.erase(atom);
+  for (const GroundName& atom : action.del)
+    after.erase(atom);
   after.insert(action.add.begin(), action.add.end());
   return after;
 }
@@ -134,14 +139,17 @@ RelaxedGrounding groundNaively(const Model& model) {
 
 LiftedSpace::LiftedSpace(const Model& model, std::size_t most_states, bool unit_costs) {
   Bits initial = 0;
-  for (const GroundName& atom : initialAtoms(model)) initial |= bit(atom);
+  for (const GroundName& atom : initialAtoms(model))
+    initial |= bit(atom);
   for (const GroundAction& action : allActions(model)) {
     BitAction bits;
     for (const Literal& literal : action.precondition) {
       (literal.negated ? bits.negative : bits.positive) |= bit(literal.atom);
     }
-    for (const GroundName& atom : action.add) bits.add |= bit(atom);
-    for (const GroundName& atom : action.del) bits.del |= bit(atom);
+    for (const GroundName& atom : action.add)
+      bits.add |= bit(atom);
+    for (const GroundName& atom : action.del)
+      bits.del |= bit(atom);
     bits.cost = unit_costs ? 1 : action.cost;
     actions_.push_back(bits);
   }

@@ -156,10 +156,12 @@ void Hagl::analyse() {
   alone_ = space.fluentsWith({}, candidates);
   // Achievability is downward closed: from each achieved set to all with one candidate less.
   achievable_.assign(all() + 1, false);
-  for (const CandidateBits set : space.fluentsWith(specified, candidates)) achievable_[set] = true;
+  for (const CandidateBits set : space.fluentsWith(specified, candidates))
+    achievable_[set] = true;
   for (CandidateBits set = all() + 1; set-- > 0;) {
     if (!achievable_[set]) continue;
-    for (std::size_t f = 0; f < size(); ++f) achievable_[set & ~(CandidateBits{1} << f)] = true;
+    for (std::size_t f = 0; f < size(); ++f)
+      achievable_[set & ~(CandidateBits{1} << f)] = true;
   }
 }
 

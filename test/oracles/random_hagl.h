@@ -47,7 +47,7 @@ class Hagl {
   std::vector<double> costDifferences() const;
 
  private:
-  std::vector<bool> achievable_;  // by set
+  std::vector<bool> achievable_;   // by set
   std::set<CandidateBits> alone_;  // what the reachable states hold of the candidates
 };
 

@@ -32,7 +32,8 @@ std::vector<Sketch::Typed> untypedLast(std::vector<Sketch::Typed> list) {
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& word : words) text += " " + word;
+  for (const std::string& word : words)
+    text += " " + word;
   return text;
 }
 
@@ -91,7 +92,8 @@ void addTypesAndObjects(RandomSource& random, Sketch& sketch) {
   };
   sketch.predicates.push_back({"fixed", {draw_parameter_type()}});
   sketch.predicates.push_back({"flag", {}});
-  for (const char* name : {"p", "q"}) sketch.predicates.push_back({name, {draw_parameter_type()}});
+  for (const char* name : {"p", "q"})
+    sketch.predicates.push_back({name, {draw_parameter_type()}});
   if (chance(random, 0.6)) {
     sketch.predicates.push_back({"link", {draw_parameter_type(), draw_parameter_type()}});
   }
@@ -146,7 +148,8 @@ void addAction(RandomSource& random, Sketch& sketch) {
 std::string ModelSketch::domainText() const {
   std::string text = "(define (domain random)\n";
   if (typed) text += "  (:types" + typedList(untypedLast(types), true) + ")\n";
-  if (!constants.empty()) text += "  (:constants" + typedList(untypedLast(constants), typed) + ")\n";
+  if (!constants.empty())
+    text += "  (:constants" + typedList(untypedLast(constants), typed) + ")\n";
   text += "  (:predicates";
   for (const Predicate& predicate : predicates) {
     text += " (" + predicate.name;
@@ -169,7 +172,8 @@ std::string ModelSketch::domainText() const {
       text += "    :precondition (and" + joined(action.precondition) + ")\n";
     }
     text += "    :effect (and" + joined(action.add);
-    for (const std::string& atom : action.del) text += " (not " + atom + ")";
+    for (const std::string& atom : action.del)
+      text += " (not " + atom + ")";
     if (!action.cost.empty()) text += " (increase (total-cost) " + action.cost + ")";
     text += "))\n";
   }
@@ -209,11 +213,13 @@ std::vector<std::string> ModelSketch::atomsOf(const Predicate& predicate) const 
   for (const std::string& type : predicate.types) {
     std::vector<std::string> longer;
     for (const std::string& atom : atoms) {
-      for (const std::string& object : objectsOf(type)) longer.push_back(atom + " " + object);
+      for (const std::string& object : objectsOf(type))
+        longer.push_back(atom + " " + object);
     }
     atoms = std::move(longer);
   }
-  for (std::string& atom : atoms) atom += ")";
+  for (std::string& atom : atoms)
+    atom += ")";
   return atoms;
 }
 
@@ -222,15 +228,16 @@ ModelSketch randomSketch(RandomSource& random) {
   sketch.metric = chance(random, 0.4);
   addTypesAndObjects(random, sketch);
   const std::size_t actions = between(random, 2, 4);
-  while (sketch.actions.size() < actions) addAction(random, sketch);
+  while (sketch.actions.size() < actions)
+    addAction(random, sketch);
   for (const ModelSketch::Predicate& predicate : sketch.predicates) {
     for (const std::string& atom : sketch.atomsOf(predicate)) {
       if (chance(random, 0.35)) sketch.init.push_back(atom);
     }
   }
   for (const std::string& object : sketch.objectsOf(kTop)) {
-    sketch.init_values.push_back("(= (weight " + object + ") " +
-                                 std::to_string(random.below(4)) + ")");
+    sketch.init_values.push_back("(= (weight " + object + ") " + std::to_string(random.below(4)) +
+                                 ")");
   }
   return sketch;
 }
@@ -238,7 +245,7 @@ ModelSketch randomSketch(RandomSource& random) {
 ModelSketch carrySketch(RandomSource& random) {
   ModelSketch sketch;
   sketch.typed = false;
-  sketch.predicates = {{"free", {}},           {"soap", {}},           {"held", {kTop}},
+  sketch.predicates = {{"free", {}},     {"soap", {}},     {"held", {kTop}},
                        {"down", {kTop}}, {"used", {kTop}}, {"clean", {kTop}}};
   const std::vector<ModelSketch::Typed> x = {{"x", kTop}};
   sketch.actions = {

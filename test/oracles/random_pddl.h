@@ -60,7 +60,8 @@ ModelSketch randomSketch(RandomSource& random);
 
 /// A hand that carries one thing at a time, one piece of soap, things to use and to wash: the two
 /// or three things begin where chance puts them. What can't be had together here can't in pairs and
-/// triples, as in the planning competitions' domains; in randomSketch() mostly single fluents can't.
+/// triples, as in the planning competitions' domains; in randomSketch() mostly single fluents
+/// can't.
 ModelSketch carrySketch(RandomSource& random);
 
 /// A random sketch of at most so many reachable states.

@@ -42,9 +42,8 @@ task::Task randomTask(RandomSource& random, const TaskSize& size) {
     const FactSet deleted = draw(random, facts, 0, 2);
     std::set_difference(deleted.begin(), deleted.end(), op.add.begin(), op.add.end(),
                         std::back_inserter(op.del));
-    op.cost = size.least_cost +
-              static_cast<task::Cost>(
-                  random.below(static_cast<std::size_t>(size.most_cost - size.least_cost + 1)));
+    op.cost = size.least_cost + static_cast<task::Cost>(random.below(static_cast<std::size_t>(
+                                    size.most_cost - size.least_cost + 1)));
     task.operators.push_back(std::move(op));
   }
   return task;

@@ -17,7 +17,9 @@ inline RandomSource anySource() {
 }
 
 /// True with the probability.
-inline bool chance(RandomSource& random, double probability) { return random.unit() < probability; }
+inline bool chance(RandomSource& random, double probability) {
+  return random.unit() < probability;
+}
 
 /// Uniform in [least, most].
 inline std::size_t between(RandomSource& random, std::size_t least, std::size_t most) {

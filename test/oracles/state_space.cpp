@@ -9,7 +9,9 @@ using task::Cost;
 using task::FactId;
 using task::OperatorId;
 
-Facts initialFacts(const task::Task& task) { return {task.initial.begin(), task.initial.end()}; }
+Facts initialFacts(const task::Task& task) {
+  return {task.initial.begin(), task.initial.end()};
+}
 
 Facts factsOf(const task::Task& task, const task::Word* state) {
   Facts facts;
@@ -21,7 +23,8 @@ Facts factsOf(const task::Task& task, const task::Word* state) {
 
 task::State stateOf(const task::Task& task, const Facts& facts) {
   task::State state(task.facts.size() / 64 + 1, 0);
-  for (const FactId fact : facts) state[fact / 64] |= task::Word{1} << (fact % 64);
+  for (const FactId fact : facts)
+    state[fact / 64] |= task::Word{1} << (fact % 64);
   return state;
 }
 
@@ -34,8 +37,10 @@ bool holds(const task::FactSet& goal, const Facts& facts) {
 
 Facts successor(const task::Operator& op, const Facts& facts) {
   Facts after = facts;
-  for (const FactId fact : op.del) after.erase(fact);
-  for (const FactId fact : op.add) after.insert(fact);
+  for (const FactId fact : op.del)
+    after.erase(fact);
+  for (const FactId fact : op.add)
+    after.insert(fact);
   return after;
 }
 

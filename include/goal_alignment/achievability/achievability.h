@@ -70,6 +70,9 @@ class Achievability {
   /// All minimal conflicts are known, each proven.
   bool complete() const { return complete_; }
 
+  /// Why the last check() or reachableAlone() that ended Unknown did.
+  LimitReason lastLimit() const { return last_limit_; }
+
   /// Records that the limits left the set open.
   void suspect(const CandidateSet& set);
 
@@ -117,6 +120,8 @@ class Achievability {
   bool exhaustive_tried_ = false;
   bool exhaustive_complete_ = false;
   bool complete_ = false;
+  LimitReason exhaustive_limit_ = LimitReason::None;
+  LimitReason last_limit_ = LimitReason::None;
   std::size_t planner_calls_ = 0;
 };
 

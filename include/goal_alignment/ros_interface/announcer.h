@@ -3,7 +3,6 @@
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
-#include <ros/time.h>
 
 #include <cstdint>
 #include <mutex>
@@ -32,9 +31,8 @@ class Announcer {
   AlignmentState state() const;
 
  private:
-  mutable std::mutex mutex_;  // guards the three below
+  mutable std::mutex mutex_;  // guards the two below
   AlignmentState state_;
-  ros::Time question_stamp_;
   std::uint32_t question_seq_ = 0;
   ros::Publisher states_;
   ros::Publisher plans_;

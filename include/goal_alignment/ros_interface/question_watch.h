@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 
@@ -31,12 +32,14 @@ class QuestionWatch {
   std::function<void()> changed_;
   mutable std::mutex mutex_;
   mutable std::condition_variable shown_changed_;
-  Question shown_;  // question_id 0 until the first message
+  Question shown_;            // question_id 0 until the first message
+  std::uint32_t newest_ = 0;  // id ever shown
   ros::Subscriber subscriber_;
 };
 
-/// Whether `shown` on ~question means that `asked` is over. Ids only grow; a request may come
-/// before the message that shows it, so an older id, or an older "none is open", proves nothing.
-bool endsQuestion(const Question& shown, const Question& asked);
+/// Whether `shown` on ~question means that `asked` is over; `newest` is the largest id shown so
+/// far. Ids only grow. A request may come before the message that shows it, so an older id proves
+/// nothing, and "none is open" only after the question itself was shown, or with a later stamp.
+bool endsQuestion(const Question& shown, std::uint32_t newest, const Question& asked);
 
 }  // namespace goal_alignment::ros_interface

@@ -105,8 +105,7 @@ RC_GTEST_PROP(Achievability, ConflictsOfTheFirstStagesAreSound, ()) {
 RC_GTEST_PROP(Achievability, RecordedExecutionsAreAchievedSets, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
-  const validation::Execution execution =
-      validation::execute(hagl.robot, hagl.input.human_plan);
+  const validation::Execution execution = validation::execute(hagl.robot, hagl.input.human_plan);
   const std::size_t runs = execution.states.size() - 1;
   const auto robot = make(hagl);
   robot->recordExecution({hagl.input.human_plan.begin(),
@@ -138,9 +137,28 @@ RC_GTEST_PROP(Achievability, ACancelProvesNothing, ()) {
   token.cancel();
   for (CandidateBits set = 0; set <= hagl.all(); ++set) {
     const Check check = robot->check(setOf(hagl.size(), set), limits);
-    if (check.verdict == Verdict::Unknown) RC_ASSERT(check.limit == LimitReason::Cancelled);
+    if (check.verdict == Verdict::Unknown) {
+      RC_ASSERT(check.limit == LimitReason::Cancelled);
+      RC_ASSERT(robot->lastLimit() == LimitReason::Cancelled);
+    }
     if (check.verdict == Verdict::Achievable) RC_ASSERT(hagl.achievable(set));
     if (check.verdict == Verdict::Unachievable) RC_ASSERT(!hagl.achievable(set));
+  }
+}
+
+RC_GTEST_PROP(Achievability, ALimitLeavesACandidateAloneUnknown, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  CancelToken token;
+  Limits limits;
+  limits.cancel = &token;
+  const auto robot = make(hagl);
+  token.cancel();
+  for (std::size_t f = 0; f < hagl.size(); ++f) {
+    const Verdict verdict = robot->reachableAlone(f, limits);
+    if (verdict == Verdict::Achievable) RC_ASSERT(hagl.achievableAlone(f));
+    if (verdict == Verdict::Unachievable) RC_ASSERT(!hagl.achievableAlone(f));
+    if (verdict == Verdict::Unknown) RC_ASSERT(robot->lastLimit() == LimitReason::Cancelled);
   }
 }
 

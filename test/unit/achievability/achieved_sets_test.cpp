@@ -23,7 +23,8 @@ RC_GTEST_PROP(AchievedSets, CoversExactlyTheSubsetsOfWhatWasAdded, ()) {
   for (std::uint64_t bits = 0; bits < 64; ++bits) {
     const CandidateSet set(6, bits);
     bool expected = false;
-    for (const CandidateSet& known : added) expected = expected || set.is_subset_of(known);
+    for (const CandidateSet& known : added)
+      expected = expected || set.is_subset_of(known);
     const AchievedSets::Achieved* covering = achieved.covering(set);
     RC_ASSERT((covering != nullptr) == expected);
     if (covering == nullptr) continue;
@@ -31,7 +32,8 @@ RC_GTEST_PROP(AchievedSets, CoversExactlyTheSubsetsOfWhatWasAdded, ()) {
     RC_ASSERT(added[covering->plan.front()] == covering->set);  // the plan belongs to the set
   }
   for (const auto& a : achieved.all()) {
-    for (const auto& b : achieved.all()) RC_ASSERT(&a == &b || !a.set.is_subset_of(b.set));
+    for (const auto& b : achieved.all())
+      RC_ASSERT(&a == &b || !a.set.is_subset_of(b.set));
   }
 }
 

@@ -33,7 +33,8 @@ RC_GTEST_PROP(ConflictSearch, FindsExactlyTheMinimalConflicts, ()) {
     RC_ASSERT(robot->complete());
     RC_ASSERT(provenConflicts(*robot) == expected);
     RC_ASSERT(robot->conflicts().size() == expected.size());
-    for (const Conflict& conflict : robot->conflicts()) RC_ASSERT(conflict.minimal);
+    for (const Conflict& conflict : robot->conflicts())
+      RC_ASSERT(conflict.minimal);
   }
 }
 
@@ -45,7 +46,8 @@ void requireSound(const Hagl& hagl, const Achievability& robot) {
     if (conflict.proven) RC_ASSERT(!hagl.achievable(set));
     if (conflict.minimal) RC_ASSERT(conflict.proven && minimal.count(set) > 0);
   }
-  for (const auto& achieved : robot.achieved()) RC_ASSERT(hagl.achievable(achieved.set.to_ulong()));
+  for (const auto& achieved : robot.achieved())
+    RC_ASSERT(hagl.achievable(achieved.set.to_ulong()));
   if (robot.complete()) RC_ASSERT(provenConflicts(robot) == minimal);
 }
 
@@ -60,10 +62,10 @@ RC_GTEST_PROP(ConflictSearch, IsSoundWithTinyBudgets, ()) {
   requireSound(hagl, *robot);
   // Nothing is left over: what holds no conflict known or suspected was achieved by a plan.
   for (CandidateBits set = 0; set <= hagl.all(); ++set) {
-    const bool free = std::none_of(
-        robot->conflicts().begin(), robot->conflicts().end(), [&](const Conflict& conflict) {
-          return conflict.members.is_subset_of(setOf(hagl.size(), set));
-        });
+    const bool free = std::none_of(robot->conflicts().begin(), robot->conflicts().end(),
+                                   [&](const Conflict& conflict) {
+                                     return conflict.members.is_subset_of(setOf(hagl.size(), set));
+                                   });
     if (free) RC_ASSERT(hagl.achievable(set));
   }
 }
@@ -115,7 +117,8 @@ RC_GTEST_PROP(ConflictSearch, SuspicionsAreClearedByPlans, ()) {
     }
   }
   // Suspicions hide nothing for good: each is either proven in the end or gone.
-  for (CandidateBits set = 0; set <= hagl.all(); ++set) robot->check(setOf(hagl.size(), set), {});
+  for (CandidateBits set = 0; set <= hagl.all(); ++set)
+    robot->check(setOf(hagl.size(), set), {});
   RC_ASSERT(robot->findAllConflicts({}));
   RC_ASSERT(provenConflicts(*robot) == hagl.minimalConflicts());
 }

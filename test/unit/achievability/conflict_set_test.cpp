@@ -15,23 +15,29 @@ namespace {
 
 constexpr std::size_t kCandidates = 6;
 
-CandidateSet setOf(std::uint64_t bits) { return CandidateSet(kCandidates, bits); }
+CandidateSet setOf(std::uint64_t bits) {
+  return CandidateSet(kCandidates, bits);
+}
 
-Conflict proven(std::uint64_t bits) { return {setOf(bits), true, false}; }
-Conflict suspected(std::uint64_t bits) { return {setOf(bits), false, false}; }
+Conflict proven(std::uint64_t bits) {
+  return {setOf(bits), true, false};
+}
+Conflict suspected(std::uint64_t bits) {
+  return {setOf(bits), false, false};
+}
 
 std::set<std::uint64_t> all(const ConflictSet& conflicts) {
   std::set<std::uint64_t> sets;
-  for (const Conflict& conflict : conflicts.all()) sets.insert(conflict.members.to_ulong());
+  for (const Conflict& conflict : conflicts.all())
+    sets.insert(conflict.members.to_ulong());
   return sets;
 }
 
 /// The minimal sets that hit every conflict, by trying all sets.
 std::set<std::uint64_t> hittingSets(const ConflictSet& conflicts) {
   const auto hits = [&](std::uint64_t bits) {
-    return std::all_of(conflicts.all().begin(), conflicts.all().end(), [&](const Conflict& c) {
-      return (c.members.to_ulong() & bits) != 0;
-    });
+    return std::all_of(conflicts.all().begin(), conflicts.all().end(),
+                       [&](const Conflict& c) { return (c.members.to_ulong() & bits) != 0; });
   };
   std::set<std::uint64_t> minimal;
   for (std::uint64_t bits = 0; bits < 1U << kCandidates; ++bits) {
@@ -47,7 +53,8 @@ std::set<std::uint64_t> hittingSets(const ConflictSet& conflicts) {
 
 std::set<std::uint64_t> found(ConflictSet& conflicts) {
   std::set<std::uint64_t> sets;
-  for (const CandidateSet& set : *conflicts.minimalHittingSets(1000)) sets.insert(set.to_ulong());
+  for (const CandidateSet& set : *conflicts.minimalHittingSets(1000))
+    sets.insert(set.to_ulong());
   return sets;
 }
 

@@ -45,11 +45,14 @@ inline std::set<oracles::CandidateBits> provenConflicts(const Achievability& rob
 inline std::string text(const oracles::Hagl& hagl) {
   std::string result = hagl.input.robot_domain.text + hagl.input.robot_problem.text +
                        hagl.input.human_domain.text + hagl.input.human_problem.text + "; plan";
-  for (const GroundName& step : hagl.input.human_plan) result += " " + step.text();
+  for (const GroundName& step : hagl.input.human_plan)
+    result += " " + step.text();
   result += "\n; specified";
-  for (const Literal& literal : hagl.specified) result += " " + literal.text();
+  for (const Literal& literal : hagl.specified)
+    result += " " + literal.text();
   result += "\n; true goal";
-  for (const Literal& literal : hagl.true_goal) result += " " + literal.text();
+  for (const Literal& literal : hagl.true_goal)
+    result += " " + literal.text();
   return result + "\n";
 }
 

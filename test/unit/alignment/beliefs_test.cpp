@@ -28,7 +28,9 @@ Problem problemOf(const Hagl& hagl) {
   return makeProblem(hagl.robot, hagl.human, hagl.input.goal, hagl.input.human_plan);
 }
 
-bool close(double a, double b) { return std::abs(a - b) < 1e-9; }
+bool close(double a, double b) {
+  return std::abs(a - b) < 1e-9;
+}
 
 RC_GTEST_PROP(CostDifferences, EqualBruteForceOneByOne, ()) {
   RandomSource random = oracles::anySource();
@@ -54,8 +56,8 @@ RC_GTEST_PROP(CostDifferences, CountTheModelsCostsWhereWanted, ()) {
   }
 }
 
-// Where a search is cut short the cheapest prefix of π^H stands in: never below the optimal cost, so
-// the difference is never above the true one.
+// Where a search is cut short the cheapest prefix of π^H stands in: never below the optimal cost,
+// so the difference is never above the true one.
 RC_GTEST_PROP(CostDifferences, ALimitLeavesABoundFromAbove, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
@@ -88,7 +90,8 @@ TEST(CostDifferences, StopWhenCancelled) {
 
 Problem withCandidates(const std::vector<bool>& is_static) {
   Problem problem;
-  for (const bool fixed : is_static) problem.candidates.push_back({{}, fixed});
+  for (const bool fixed : is_static)
+    problem.candidates.push_back({{}, fixed});
   return problem;
 }
 
@@ -115,6 +118,15 @@ TEST(Beliefs, FlatAreAllTheSame) {
             (std::vector<double>{0.3, 0.3}));
   EXPECT_EQ(beliefs(problem, {0, 7}, {BeliefMode::Flat, 1, 1, 1}),
             (std::vector<double>{0.98, 0.98}));
+}
+
+// The static one is far likelier: beside its weight the others' would vanish, and 0/0 is no belief.
+TEST(Beliefs, StaticCandidatesDoNotDrownTheOthers) {
+  const Problem problem = withCandidates({true, false, false});
+  const std::vector<double> found = beliefs(problem, {0, 740, 2000}, {});
+  EXPECT_DOUBLE_EQ(found[0], 0.98);
+  EXPECT_DOUBLE_EQ(found[1], 0.98);
+  EXPECT_DOUBLE_EQ(found[2], 0.02);
 }
 
 TEST(Beliefs, OnlyStaticCandidatesShareNothing) {
@@ -174,7 +186,8 @@ RC_GTEST_PROP(PaperBeliefs, SumToOneAndEqualTheFormula, ()) {
   const std::vector<double> found = paperBeliefs(differences, beta);
   const std::vector<double> expected = oracles::normalisedBeliefs(differences, beta);
   RC_ASSERT(close(std::accumulate(found.begin(), found.end(), 0.0), 1));
-  for (std::size_t f = 0; f < found.size(); ++f) RC_ASSERT(close(found[f], expected[f]));
+  for (std::size_t f = 0; f < found.size(); ++f)
+    RC_ASSERT(close(found[f], expected[f]));
 }
 
 // exp(−β·Δ) is zero in double for all of them; their ratio is not.

@@ -15,15 +15,18 @@
 namespace goal_alignment::alignment {
 namespace {
 
-using oracles::Hagl;
 using goal_alignment::samples::deskHuman;
 using goal_alignment::samples::deskRobot;
+using oracles::Hagl;
 
-Literal literal(const std::string& text) { return Literal::parse(text); }
+Literal literal(const std::string& text) {
+  return Literal::parse(text);
+}
 
 std::vector<Literal> fluents(const Problem& problem) {
   std::vector<Literal> result;
-  for (const Candidate& candidate : problem.candidates) result.push_back(candidate.fluent);
+  for (const Candidate& candidate : problem.candidates)
+    result.push_back(candidate.fluent);
   return result;
 }
 
@@ -101,8 +104,7 @@ TEST(Problem, ANegatedGoalIsNoCandidateAndCountsInTheExpectedState) {
 
 TEST(Problem, AStepThatCannotBeTakenIsNamedWithItsPrecondition) {
   try {
-    makeProblem(deskRobot(), deskHuman(), {},
-                {{"take", {"a"}}, {"put", {"b"}}, {"take", {"b"}}});
+    makeProblem(deskRobot(), deskHuman(), {}, {{"take", {"a"}}, {"put", {"b"}}, {"take", {"b"}}});
     FAIL() << "nobody holds b";
   } catch (const HumanPlanInvalid& error) {
     EXPECT_EQ(error.step(), 1U);

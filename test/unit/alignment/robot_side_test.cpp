@@ -53,8 +53,7 @@ RC_GTEST_PROP(RobotSide, RunsThePlanAsTheValidatorDoes, ()) {
   const Problem problem =
       makeProblem(hagl.robot, hagl.human, hagl.input.goal, hagl.input.human_plan);
   const RobotSide side = makeRobotSide(problem, true, {}, {});
-  const validation::Execution execution =
-      validation::execute(hagl.robot, hagl.input.human_plan);
+  const validation::Execution execution = validation::execute(hagl.robot, hagl.input.human_plan);
   RC_ASSERT(side.human_plan_runs == !execution.violation.has_value());
   if (execution.violation) RC_ASSERT(side.human_plan_violation == execution.violation->message);
 }

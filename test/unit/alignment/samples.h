@@ -10,11 +10,12 @@
 
 /// A task small enough to work out by hand; the tests of `alignment` and `session` share it.
 ///
-/// The robot has one hand; the human believes that it can take one thing after the other, and that what
-/// it takes stays down as well. The goal is (down b), the plan takes a and b. So S^H holds besides:
-/// (down a) (down c) (free) (held a) (held b) (red a); and with (down b) the robot can't have
-/// {(held b)}, nor {(held a), (free)}, nor {(held a), (down a)}. (down c) and (red a) are never in the
-/// way.
+/// The robot has one hand; the human believes that it can take one thing after the other, and that
+/// what it takes stays down as well. The goal is (down b), the plan takes a and b. So S^H holds
+/// besides: (down a) (down c) (free) (held a) (held b) (red a); and with (down b) the robot can't
+/// have
+/// {(held b)}, nor {(held a), (free)}, nor {(held a), (down a)}. (down c) and (red a) are never in
+/// the way.
 namespace goal_alignment::samples {
 
 inline const std::string kDeskRobotDomain = R"((define (domain desk)
@@ -45,6 +46,8 @@ inline pddl::Model deskHuman() {
                          {"human_problem.pddl", kDeskProblem});
 }
 
-inline std::vector<GroundName> deskPlan() { return {{"take", {"a"}}, {"take", {"b"}}}; }
+inline std::vector<GroundName> deskPlan() {
+  return {{"take", {"a"}}, {"take", {"b"}}};
+}
 
 }  // namespace goal_alignment::samples

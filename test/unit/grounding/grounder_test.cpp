@@ -22,11 +22,15 @@ namespace {
 
 using Kind = FactStatus::Kind;
 using samples::named;
-using samples::namedOperators;
 using samples::NamedOperator;
+using samples::namedOperators;
 
-Literal positive(const std::string& atom) { return {GroundName::parse(atom), false}; }
-Literal negative(const std::string& atom) { return {GroundName::parse(atom), true}; }
+Literal positive(const std::string& atom) {
+  return {GroundName::parse(atom), false};
+}
+Literal negative(const std::string& atom) {
+  return {GroundName::parse(atom), true};
+}
 
 /// What a naive ground action becomes, given which atoms can change and which have complements.
 std::map<GroundName, NamedOperator> naiveOperators(const oracles::RelaxedGrounding& naive,
@@ -51,14 +55,15 @@ std::map<GroundName, NamedOperator> naiveOperators(const oracles::RelaxedGroundi
       (becomes ? op.add : op.del).insert({atom, false});
       if (facts.count({atom, true}) > 0) (becomes ? op.del : op.add).insert({atom, true});
     };
-    for (const GroundName& atom : action.add) effect(atom, true);
+    for (const GroundName& atom : action.add)
+      effect(atom, true);
     for (const GroundName& atom : action.del) {
       if (action.add.count(atom) == 0) effect(atom, false);
     }
     op.cost = action.cost;
-    const bool idle = op.del.empty() && std::includes(op.precondition.begin(),
-                                                      op.precondition.end(), op.add.begin(),
-                                                      op.add.end());
+    const bool idle =
+        op.del.empty() &&
+        std::includes(op.precondition.begin(), op.precondition.end(), op.add.begin(), op.add.end());
     if (possible && !idle) result[action.name] = op;
   }
   (void)initial;
@@ -82,9 +87,11 @@ std::set<Literal> naiveFacts(const oracles::RelaxedGrounding& naive, const oracl
     if (literal.negated && facts.count({literal.atom, false}) > 0) facts.insert(literal);
   };
   for (const oracles::GroundAction& action : naive.actions) {
-    for (const Literal& literal : action.precondition) complement(literal);
+    for (const Literal& literal : action.precondition)
+      complement(literal);
   }
-  for (const Literal& literal : asked) complement(literal);
+  for (const Literal& literal : asked)
+    complement(literal);
   return facts;
 }
 
@@ -172,7 +179,8 @@ RC_GTEST_PROP(Grounder, StatusIsSoundInEveryReachableState, ()) {
       RC_ASSERT(samples::sound(ground, positive(atom), states));
     }
   }
-  for (const Literal& literal : asked) RC_ASSERT(samples::sound(ground, literal, states));
+  for (const Literal& literal : asked)
+    RC_ASSERT(samples::sound(ground, literal, states));
 }
 
 RC_GTEST_PROP(Grounder, ComplementsStayConsistentAlongRandomWalks, ()) {
@@ -211,7 +219,9 @@ const char* const kThreeRooms = R"((define (problem three) (:domain rooms)
   (:init (in R2 A) (wall C) (lit A) (= (way A B) 4) (= (way B A) 5))
   (:goal (in R2 B)) (:metric minimize (total-cost))))";
 
-pddl::Model rooms() { return pddl::readModel({"d.pddl", kRooms}, {"p.pddl", kThreeRooms}); }
+pddl::Model rooms() {
+  return pddl::readModel({"d.pddl", kRooms}, {"p.pddl", kThreeRooms});
+}
 
 TEST(Grounder, TellsWhatALiteralIs) {
   const pddl::Model model = rooms();

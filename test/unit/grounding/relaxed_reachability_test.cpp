@@ -32,11 +32,13 @@ RC_GTEST_PROP(RelaxedReachability, EqualsTheNaiveFixpoint, ()) {
   const oracles::RelaxedGrounding naive = oracles::groundNaively(model);
 
   oracles::Atoms atoms;
-  for (const pddl::Atom& atom : relaxed.atoms) atoms.insert(model.name(atom));
+  for (const pddl::Atom& atom : relaxed.atoms)
+    atoms.insert(model.name(atom));
   RC_ASSERT(atoms == naive.atoms);
   RC_ASSERT(atoms.size() == relaxed.atoms.size());
   std::set<GroundName> expected;
-  for (const oracles::GroundAction& action : naive.actions) expected.insert(action.name);
+  for (const oracles::GroundAction& action : naive.actions)
+    expected.insert(action.name);
   std::set<GroundName> found;
   for (const Instantiation& instantiation : relaxed.instantiations) {
     RC_ASSERT(found.insert(nameOf(model, instantiation)).second);  // each once
@@ -53,7 +55,8 @@ RC_GTEST_PROP(RelaxedReachability, IndexesItsAtoms, ()) {
     RC_ASSERT(relaxed.ids.at(relaxed.atoms[id]) == id);
   }
   RC_ASSERT(relaxed.initial_count == model.init.size());
-  for (const pddl::Atom& atom : model.init) RC_ASSERT(relaxed.ids.at(atom) < relaxed.initial_count);
+  for (const pddl::Atom& atom : model.init)
+    RC_ASSERT(relaxed.ids.at(atom) < relaxed.initial_count);
 }
 
 pddl::Model chain(int length) {

@@ -25,7 +25,8 @@ struct NamedOperator {
 
 inline std::set<Literal> named(const task::Task& task, const task::FactSet& facts) {
   std::set<Literal> names;
-  for (const task::FactId fact : facts) names.insert(task.facts.at(fact));
+  for (const task::FactId fact : facts)
+    names.insert(task.facts.at(fact));
   return names;
 }
 
@@ -48,8 +49,7 @@ inline bool sound(const GroundTask& ground, const Literal& literal,
     if (status.kind == FactStatus::Kind::NeverTrue && holds) return false;
     if (status.kind == FactStatus::Kind::Unknown && holds) return false;
   }
-  return status.kind != FactStatus::Kind::Variable ||
-         ground.task.facts.at(status.fact) == literal;
+  return status.kind != FactStatus::Kind::Variable || ground.task.facts.at(status.fact) == literal;
 }
 
 }  // namespace goal_alignment::grounding::samples

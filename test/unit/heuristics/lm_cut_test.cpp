@@ -47,7 +47,8 @@ RC_GTEST_PROP(LmCut, IsZeroExactlyInGoalStatesWhereNothingIsFree, ()) {
   }
 }
 
-// The evaluator keeps buffers between calls: what it says must not depend on what it was asked before.
+// The evaluator keeps buffers between calls: what it says must not depend on what it was asked
+// before.
 RC_GTEST_PROP(LmCut, ForgetsEarlierEvaluations, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);

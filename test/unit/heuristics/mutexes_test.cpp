@@ -45,9 +45,11 @@ RC_GTEST_PROP(MutexTable, NeverRulesOutWhatIsReachable, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);
   const MutexTable table(task, {});
-  for (const auto& [f, g] : oracles::reachablePairs(task)) RC_ASSERT(!table.mutex(f, g));
+  for (const auto& [f, g] : oracles::reachablePairs(task))
+    RC_ASSERT(!table.mutex(f, g));
   std::set<GroundName> kept;
-  for (const task::Operator& op : table.withoutInapplicable(task).operators) kept.insert(op.name);
+  for (const task::Operator& op : table.withoutInapplicable(task).operators)
+    kept.insert(op.name);
   for (const auto& [facts, way] : oracles::reachable(task, oracles::initialFacts(task))) {
     for (const task::OperatorId op : oracles::applicableOperators(task, facts)) {
       RC_ASSERT(kept.count(task.operators[op].name) > 0);

@@ -27,12 +27,16 @@ RC_GTEST_PROP(RelaxedTask, RowsAreEachOthersTransposes, ()) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> by_fact;
   for (std::uint32_t op = 0; op < relaxed.operator_count; ++op) {
     RC_ASSERT(relaxed.preconditions.size(op) > 0U);
-    for (const std::uint32_t fact : relaxed.preconditions[op]) by_operator.insert({fact, op});
-    for (const std::uint32_t fact : relaxed.effects[op]) by_operator.insert({fact, op + 1000});
+    for (const std::uint32_t fact : relaxed.preconditions[op])
+      by_operator.insert({fact, op});
+    for (const std::uint32_t fact : relaxed.effects[op])
+      by_operator.insert({fact, op + 1000});
   }
   for (std::uint32_t fact = 0; fact < relaxed.fact_count; ++fact) {
-    for (const std::uint32_t op : relaxed.precondition_of[fact]) by_fact.insert({fact, op});
-    for (const std::uint32_t op : relaxed.effect_of[fact]) by_fact.insert({fact, op + 1000});
+    for (const std::uint32_t op : relaxed.precondition_of[fact])
+      by_fact.insert({fact, op});
+    for (const std::uint32_t op : relaxed.effect_of[fact])
+      by_fact.insert({fact, op + 1000});
   }
   RC_ASSERT(by_operator == by_fact);
 }
@@ -45,7 +49,8 @@ RC_GTEST_PROP(RelaxedTask, LeavesOutOnlyWhatIsIrrelevant, ()) {
   const RelaxedTask relaxed(task, goal);
   task::Task relevant = task;
   relevant.operators.clear();
-  for (const task::OperatorId op : relaxed.origin) relevant.operators.push_back(task.operators[op]);
+  for (const task::OperatorId op : relaxed.origin)
+    relevant.operators.push_back(task.operators[op]);
   const oracles::Facts initial = oracles::initialFacts(task);
   RC_ASSERT(oracles::hMax(relevant, initial, goal) == oracles::hMax(task, initial, goal));
 }

@@ -28,8 +28,7 @@ RC_GTEST_PROP(AutoPolicy, AsksAnOpenFluentOfASmallestLiveConflict, ()) {
   const auto askable = [&](const Conflict& known) {
     return situation.isLive(known) && situation.openMembers(known) > 0;
   };
-  const bool any =
-      std::any_of(situation.conflicts.begin(), situation.conflicts.end(), askable);
+  const bool any = std::any_of(situation.conflicts.begin(), situation.conflicts.end(), askable);
   RC_ASSERT(choice.has_value() == any);
   if (!choice) return;
   const Conflict& asked = situation.conflicts.at(choice->conflict.value());
@@ -50,8 +49,7 @@ RC_GTEST_PROP(AutoPolicy, AsksAnOpenFluentOfASmallestLiveConflict, ()) {
 }
 
 TEST(AutoPolicy, AmongEquallyUnlikelyOnesAsksTheOneInMostLiveConflicts) {
-  Situation situation =
-      fresh(4, {conflict(4, 0b0011), conflict(4, 0b0110), conflict(4, 0b1010)});
+  Situation situation = fresh(4, {conflict(4, 0b0011), conflict(4, 0b0110), conflict(4, 0b1010)});
   EXPECT_EQ(firstOf(situation)->candidate, 1U);
   situation.probability[0] = 0.2;
   EXPECT_EQ(firstOf(situation)->candidate, 0U);

@@ -11,7 +11,8 @@ namespace {
 
 TEST(Policy, EveryNameMakesOne) {
   EXPECT_EQ(policyNames(), (std::vector<std::string>{"auto", "paper", "ask-all"}));
-  for (const std::string& name : policyNames()) EXPECT_NE(makePolicy(name, {}), nullptr) << name;
+  for (const std::string& name : policyNames())
+    EXPECT_NE(makePolicy(name, {}), nullptr) << name;
 }
 
 TEST(Policy, OnlyAutoGoesByConflicts) {

@@ -18,8 +18,8 @@ inline achievability::Conflict conflict(std::size_t candidates, std::uint64_t me
 
 /// Nothing answered yet, all beliefs one half.
 inline Situation fresh(std::size_t candidates, std::vector<achievability::Conflict> conflicts) {
-  return {std::vector<Knowledge>(candidates, Knowledge::Open),
-          std::vector<double>(candidates, 0.5), std::move(conflicts)};
+  return {std::vector<Knowledge>(candidates, Knowledge::Open), std::vector<double>(candidates, 0.5),
+          std::move(conflicts)};
 }
 
 /// Random answers, beliefs and conflicts.

@@ -136,16 +136,22 @@ TEST(QuestionWatch, onlyWhatCameLaterEndsAQuestion) {
   Question asked = questionOf({"a"});
   asked.header.stamp = ros::Time(10, 0);
   Question shown = asked;
-  EXPECT_FALSE(endsQuestion(shown, asked));
+  EXPECT_FALSE(endsQuestion(shown, 7, asked));
   shown.question_id = 8;
-  EXPECT_TRUE(endsQuestion(shown, asked));
+  EXPECT_TRUE(endsQuestion(shown, 8, asked));
   shown.question_id = 6;
-  EXPECT_FALSE(endsQuestion(shown, asked));
-  shown.question_id = 0;
-  shown.header.stamp = ros::Time(10, 1);
-  EXPECT_TRUE(endsQuestion(shown, asked));
-  shown.header.stamp = ros::Time(9, 0);
-  EXPECT_FALSE(endsQuestion(shown, asked)) << "shown before it was asked";
+  EXPECT_FALSE(endsQuestion(shown, 6, asked));
+}
+
+TEST(QuestionWatch, noneIsOpenEndsAQuestionThatWasShownOrIsOlder) {
+  Question asked = questionOf({"a"});
+  asked.header.stamp = ros::Time(10, 0);
+  Question none;
+  none.header.stamp = ros::Time(10, 0);
+  EXPECT_FALSE(endsQuestion(none, 6, asked)) << "shown before it was asked";
+  EXPECT_TRUE(endsQuestion(none, 7, asked)) << "though the clock stands still";
+  none.header.stamp = ros::Time(10, 1);
+  EXPECT_TRUE(endsQuestion(none, 0, asked)) << "the node came late and never saw it";
 }
 
 TEST(TaskFile, holdsATask) {

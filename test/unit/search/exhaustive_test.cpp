@@ -43,7 +43,8 @@ TEST(Exhaustive, PlansAreShortestOnes) {
   Exhaustive exhaustive(task, successors);
   const auto visit = [&](StateId id, const task::Word* state) {
     std::size_t on = 0;
-    for (task::FactId fact = 1; fact < 10; fact += 2) on += task::testBit(state, fact) ? 1 : 0;
+    for (task::FactId fact = 1; fact < 10; fact += 2)
+      on += task::testBit(state, fact) ? 1 : 0;
     EXPECT_EQ(exhaustive.plan(id).size(), on);
     return true;
   };
@@ -56,8 +57,8 @@ TEST(Exhaustive, TheVisitorCanEndIt) {
   for (const int last : {1, 2, 50}) {
     Exhaustive exhaustive(task, successors);
     int visits = 0;
-    const auto reason =
-        exhaustive.run({}, [&](StateId /*id*/, const task::Word* /*state*/) { return ++visits < last; });
+    const auto reason = exhaustive.run(
+        {}, [&](StateId /*id*/, const task::Word* /*state*/) { return ++visits < last; });
     EXPECT_EQ(reason, LimitReason::None);
     EXPECT_EQ(visits, last);
   }

@@ -89,7 +89,8 @@ TEST(Greedy, ProvesWhatNothingReaches) {
 TEST(Greedy, GoesStraightToAnEasyGoal) {
   const Task task = samples::switches(12);
   task::FactSet goal;
-  for (task::FactId on = 1; on < 24; on += 2) goal.push_back(on);
+  for (task::FactId on = 1; on < 24; on += 2)
+    goal.push_back(on);
   const Result result = solve(task, goal);
   EXPECT_EQ(result.status, Status::Solved);
   EXPECT_EQ(result.cost, 12);

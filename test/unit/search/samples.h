@@ -27,7 +27,9 @@ inline task::Task switches(std::size_t bits) {
 }
 
 /// A goal that the delete relaxation believes in, and that nothing reaches: both ends of a switch.
-inline task::FactSet impossible() { return {0, 1}; }
+inline task::FactSet impossible() {
+  return {0, 1};
+}
 
 /// The result's plan runs, satisfies the goal and costs what the result says.
 inline bool valid(const task::Task& task, const task::FactSet& goal, const Result& result) {

@@ -47,7 +47,8 @@ RC_GTEST_PROP(SearchSpace, TheBatchEqualsOneByOne, ()) {
     const oracles::Facts facts = oracles::factsOf(task, one_by_one.state(id));
     const std::vector<OperatorId> applicable = oracles::applicableOperators(task, facts);
     std::vector<std::pair<StateId, bool>> expected;
-    for (const OperatorId op : applicable) expected.push_back(one_by_one.insertSuccessor(id, op));
+    for (const OperatorId op : applicable)
+      expected.push_back(one_by_one.insertSuccessor(id, op));
     std::size_t i = 0;
     in_batches.insertSuccessors(id, applicable, [&](StateId successor, bool is_new, OperatorId op) {
       RC_ASSERT(op == applicable[i]);

@@ -38,7 +38,8 @@ TEST(StateRegistry, StatesNeverMove) {
   const Word first = 7;
   registry.insert(&first);
   const Word* const place = registry[0];
-  for (Word i = 100; i < 20'100; ++i) registry.insert(&i);
+  for (Word i = 100; i < 20'100; ++i)
+    registry.insert(&i);
   EXPECT_EQ(registry[0], place);
   EXPECT_EQ(*place, 7U);
 }
@@ -50,7 +51,8 @@ RC_GTEST_PROP(StateRegistry, EqualsAMap, ()) {
   std::map<State, StateId> known;
   for (int i = 0; i < 2000; ++i) {
     State state(words);
-    for (Word& word : state) word = random.below(6) << (random.below(2) * 60);
+    for (Word& word : state)
+      word = random.below(6) << (random.below(2) * 60);
     const auto [id, is_new] = registry.insert(state.data());
     const auto [entry, expected_new] = known.emplace(state, static_cast<StateId>(known.size()));
     RC_ASSERT(is_new == expected_new);
@@ -74,7 +76,8 @@ TEST(StateRegistry, TellsStatesOfOneHashApart) {
 TEST(StateRegistry, AccountsForItsGrowth) {
   StateRegistry registry(3);
   const std::size_t empty = registry.bytes();
-  for (Word i = 0; i < 10'000; ++i) registry.insert(State{i, i, i}.data());
+  for (Word i = 0; i < 10'000; ++i)
+    registry.insert(State{i, i, i}.data());
   EXPECT_GE(registry.bytes(), empty + 10'000 * 3 * sizeof(Word));
 }
 

@@ -54,7 +54,8 @@ TEST(SuccessorGenerator, AnEmptyTaskHasNoSuccessors) {
 TEST(SuccessorGenerator, KeepsOperatorsWithEqualPreconditionsApart) {
   task::Task task;
   task.facts.resize(2);
-  for (int i = 0; i < 3; ++i) task.operators.push_back({{"o", {}}, {1}, {0}, {}, 1});
+  for (int i = 0; i < 3; ++i)
+    task.operators.push_back({{"o", {}}, {1}, {0}, {}, 1});
   task.operators.push_back({{"free", {}}, {}, {1}, {}, 1});
   task.initial = {1};
   EXPECT_EQ(visited(SuccessorGenerator(task), task::initialState(task)).size(), 4U);

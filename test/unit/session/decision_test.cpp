@@ -182,9 +182,10 @@ RC_GTEST_PROP(Decision, PaperReplaysAlgorithmOne, ()) {
   RC_ASSERT((code(session) == 1) == expected.plan_found);
 
   std::vector<bool> unachievable;
-  for (std::size_t f = 0; f < hagl.size(); ++f) unachievable.push_back(!hagl.achievableAlone(f));
-  const std::vector<double> value = oracles::valueOfQuery(
-      oracles::normalisedBeliefs(hagl.costDifferences(), 1), unachievable);
+  for (std::size_t f = 0; f < hagl.size(); ++f)
+    unachievable.push_back(!hagl.achievableAlone(f));
+  const std::vector<double> value =
+      oracles::valueOfQuery(oracles::normalisedBeliefs(hagl.costDifferences(), 1), unachievable);
   for (std::size_t i = 1; i < queue.size() && i <= asked.size(); ++i) {
     if (i < asked.size()) RC_ASSERT(value[queue[i - 1]] > value[queue[i]] - 1e-8);
   }

@@ -100,7 +100,7 @@ RC_GTEST_PROP(Dialogue, VolunteeredAnswersAreNotAskedForAgain, ()) {
     for (const Literal& fluent : hagl.candidates) {
       if (!oracles::chance(random, 0.2)) continue;
       const Receipt receipt = session.answer({fluent}, honest(hagl)(fluent), "eager");
-      RC_ASSERT(receipt.accepted != receipt.message.size() > 0);
+      RC_ASSERT(receipt.accepted == receipt.message.empty());
       if (receipt.accepted) volunteered.insert(fluent);
     }
   };
@@ -193,7 +193,8 @@ RC_GTEST_PROP(Unsure, AsYesKeepsThePromiseAndProvesNothingWithIt, ()) {
   const CandidateBits conflict = hagl.bits(session.outcome().conflict);
   if (code(session) == 1) {
     std::vector<Literal> goal = hagl.specified;
-    for (const Literal& fluent : hagl.fluents(yes | unsure)) goal.push_back(fluent);
+    for (const Literal& fluent : hagl.fluents(yes | unsure))
+      goal.push_back(fluent);
     goal.insert(goal.end(), hagl.true_goal.begin(), hagl.true_goal.end());
     RC_ASSERT(!validation::fault(hagl.robot, session.outcome().plan.steps, goal).has_value());
   } else if (code(session) == 52) {
@@ -242,7 +243,8 @@ RC_GTEST_PROP(Unsure, WhoNeverKnowsIsAskedTwiceAndNoMore, ()) {
     ++times[fluent];
     return person(fluent);
   });
-  for (const auto& [fluent, count] : times) RC_ASSERT(count <= 2);
+  for (const auto& [fluent, count] : times)
+    RC_ASSERT(count <= 2);
   RC_ASSERT(code(session) == 1 || code(session) == 52 || code(session) == 64);
   if (code(session) == 52) {
     const CandidateBits yes = hagl.bits(answersOf(session, AnswerKind::Yes));

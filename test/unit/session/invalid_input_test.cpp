@@ -35,8 +35,8 @@ void expectSays(const Ended& ended, const std::string& text) {
 }
 
 TEST(InvalidInput, BrokenPddlIsNamedWithItsPlace) {
-  for (pddl::Source Input::*file : {&Input::robot_domain, &Input::robot_problem,
-                                    &Input::human_domain, &Input::human_problem}) {
+  for (pddl::Source Input::*file :
+       {&Input::robot_domain, &Input::robot_problem, &Input::human_domain, &Input::human_problem}) {
     Input input = desk();
     (input.*file).text += ")";
     const Ended ended = run(input);
@@ -45,7 +45,9 @@ TEST(InvalidInput, BrokenPddlIsNamedWithItsPlace) {
   }
 }
 
-TEST(InvalidInput, AnEmptyInputIsBrokenPddl) { EXPECT_EQ(run({}).code, 70); }
+TEST(InvalidInput, AnEmptyInputIsBrokenPddl) {
+  EXPECT_EQ(run({}).code, 70);
+}
 
 TEST(InvalidInput, GoalsThatDifferAreBothNamed) {
   Input input = desk();

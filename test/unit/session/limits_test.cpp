@@ -52,8 +52,8 @@ RC_GTEST_PROP(Limits, NeverMakeAnOutcomeWrong, ()) {
   const Hagl hagl = oracles::randomHagl(random);
   RC_LOG() << samples::text(hagl);
   for (const char* policy : {"auto", "paper", "ask-all"}) {
-    Options chosen = options(
-        policy, oracles::chance(random, 0.5) ? ConflictMode::Full : ConflictMode::Lazy, 1);
+    Options chosen =
+        options(policy, oracles::chance(random, 0.5) ? ConflictMode::Full : ConflictMode::Lazy, 1);
     if (oracles::chance(random, 0.7)) {
       chosen.memory_limit = 1000 + random.below(300'000);
     } else {
@@ -94,7 +94,8 @@ TEST(Cancel, InEveryPhaseEndsAtTheNextStep) {
   for (int steps = 1;; ++steps) {
     Session session{Options{}};
     session.begin(desk());
-    for (int i = 0; i < steps && session.state() == State::Analysing; ++i) session.step();
+    for (int i = 0; i < steps && session.state() == State::Analysing; ++i)
+      session.step();
     if (session.state() != State::Analysing) break;
     session.cancel();
     EXPECT_EQ(session.step(), State::Done) << steps;
@@ -158,7 +159,8 @@ RC_GTEST_PROP(Cancel, AtAnyTimeSpoilsNothing, ()) {
   }
   // Going on with the state that it had leads to the right end.
   std::vector<GroundName> atoms;
-  for (const GroundName& atom : oracles::initialAtoms(hagl.robot)) atoms.push_back(atom);
+  for (const GroundName& atom : oracles::initialAtoms(hagl.robot))
+    atoms.push_back(atom);
   session.setRobotState(atoms);
   talk(session, honest(hagl));
   RC_ASSERT(code(session) == expectedCode(hagl));
@@ -179,9 +181,9 @@ Input endless() {
     objects += " s" + std::to_string(i);
     init += " (switch s" + std::to_string(i) + ")";
   }
-  const std::string problem = "(define (problem p) (:domain endless) (:objects a b c p q" + objects +
-                              ") (:init (thing a) (thing b) (thing c) (place p) (place q)" + init +
-                              ") (:goal (and)))";
+  const std::string problem =
+      "(define (problem p) (:domain endless) (:objects a b c p q" + objects +
+      ") (:init (thing a) (thing b) (thing c) (place p) (place q)" + init + ") (:goal (and)))";
   Input input;
   std::string robot = domain;
   input.robot_domain = {"robot.pddl", robot.replace(robot.find("FULL"), 4, "(full ?p)")};

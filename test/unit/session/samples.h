@@ -15,11 +15,14 @@ namespace goal_alignment::session::samples {
 
 using Person = std::function<AnswerKind(const Literal& fluent)>;
 
-inline Literal literal(const std::string& text) { return Literal::parse(text); }
+inline Literal literal(const std::string& text) {
+  return Literal::parse(text);
+}
 
 inline std::vector<Literal> literals(const std::vector<std::string>& texts) {
   std::vector<Literal> result;
-  for (const std::string& text : texts) result.push_back(literal(text));
+  for (const std::string& text : texts)
+    result.push_back(literal(text));
   return result;
 }
 
@@ -85,7 +88,9 @@ inline Session atFirstQuestion(Options chosen = {}) {
   return session;
 }
 
-inline int code(const Session& session) { return static_cast<int>(session.outcome().code); }
+inline int code(const Session& session) {
+  return static_cast<int>(session.outcome().code);
+}
 
 /// The outcome that the problem must have: 1, 51 or 52.
 inline int expectedCode(const oracles::Hagl& hagl) {

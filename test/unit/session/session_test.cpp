@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -142,7 +143,10 @@ TEST(Session, RefusesOptionsOutOfTheirRange) {
   };
   refused([](Options& o) { o.policy = "pepper"; });
   refused([](Options& o) { o.belief.beta = -1; });
+  refused([](Options& o) { o.belief.beta = std::numeric_limits<double>::infinity(); });
+  refused([](Options& o) { o.belief.beta = std::numeric_limits<double>::quiet_NaN(); });
   refused([](Options& o) { o.belief.kappa = 0; });
+  refused([](Options& o) { o.belief.kappa = std::numeric_limits<double>::infinity(); });
   refused([](Options& o) { o.belief.flat = 1.5; });
   refused([](Options& o) { o.time_limit = 0; });
   refused([](Options& o) { o.memory_limit = 0; });
@@ -170,13 +174,13 @@ TEST(Session, CountsItsTimeByPhases) {
   Session session = atFirstQuestion();
   talk(session, wanting({"(held a)"}));
   const Statistics& times = session.statistics();
-  for (const double part : {times.parse, times.ground, times.belief, times.conflicts,
-                            times.questions, times.plan}) {
+  for (const double part :
+       {times.parse, times.ground, times.belief, times.conflicts, times.questions, times.plan}) {
     EXPECT_GE(part, 0);
   }
-  EXPECT_NEAR(times.parse + times.ground + times.belief + times.conflicts + times.questions +
-                  times.plan,
-              times.total, 1e-6);
+  EXPECT_NEAR(
+      times.parse + times.ground + times.belief + times.conflicts + times.questions + times.plan,
+      times.total, 1e-6);
   EXPECT_GT(times.planner_calls, 0U);
 }
 

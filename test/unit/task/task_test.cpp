@@ -27,8 +27,7 @@ TEST(Task, SumsCostsAndNamesSteps) {
   const Task task = threeFacts();
   EXPECT_EQ(cost(task, {0, 1, 0}), 9);
   EXPECT_EQ(cost(task, {}), 0);
-  EXPECT_EQ(names(task, {1, 0}),
-            (std::vector<GroundName>{{"back", {"b"}}, {"go", {"a", "b"}}}));
+  EXPECT_EQ(names(task, {1, 0}), (std::vector<GroundName>{{"back", {"b"}}, {"go", {"a", "b"}}}));
 }
 
 TEST(Task, MakesSortedSets) {

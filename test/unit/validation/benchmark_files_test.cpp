@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,21 +8,14 @@
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/pddl/parser.h"
 #include "goal_alignment/validation/execution.h"
+#include "unit/benchmarks.h"
 
 namespace goal_alignment::validation {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The benchmarks live outside the repository: `$GOAL_ALIGNMENT_SHARED/benchmarks`, or the folder
-/// `shared` beside this source tree.
-fs::path benchmarks() {
-  if (const char* shared = std::getenv("GOAL_ALIGNMENT_SHARED")) {
-    return fs::path(shared) / "benchmarks";
-  }
-  const fs::path source_dir = fs::path(__FILE__).parent_path() / "../../..";
-  return (source_dir / "../shared/benchmarks").lexically_normal();
-}
+using goal_alignment::samples::benchmarks;
 
 std::vector<fs::path> filesNamed(const std::string& name) {
   std::vector<fs::path> found;
@@ -37,14 +29,7 @@ pddl::Source read(const fs::path& path) {
   return pddl::readFile(path.string());
 }
 
-class BenchmarkFiles : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!fs::is_directory(benchmarks())) {
-      GTEST_SKIP() << "no benchmarks at " << benchmarks() << "; set GOAL_ALIGNMENT_SHARED";
-    }
-  }
-};
+class BenchmarkFiles : public goal_alignment::samples::BenchmarkTest {};
 
 TEST_F(BenchmarkFiles, EveryTaskLinks) {
   std::size_t tasks = 0;

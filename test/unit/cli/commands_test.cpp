@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <string>
+#include <vector>
+
+#include "program.h"
+#include "unit/pddl/samples.h"
+
+/// The other commands, and what all of them have in common.
+namespace goal_alignment::cli {
+namespace {
+
+using nlohmann::json;
+using samples::Ended;
+using samples::Folder;
+using samples::hagl;
+using samples::Program;
+using samples::writeDesk;
+
+TEST(Usage, ErrorsExitWithTwo) {
+  const Folder folder;
+  writeDesk(folder, "(down b)\n");
+  const std::string dir = folder.path();
+  const std::vector<std::vector<std::string>> wrong = {
+      {},
+      {"fly"},
+      {"align"},
+      {"align", dir, "--fly"},
+      {"align", dir, "--policy"},
+      {"align", dir, "--policy", "pepper"},
+      {"align", dir, "--belief", "strong"},
+      {"align", dir, "--belief", "flat:much"},
+      {"align", dir, "--belief", "flat:2"},
+      {"align", dir, "--beta", "-1"},
+      {"align", dir, "--kappa", "0"},
+      {"align", dir, "--conflicts", "some"},
+      {"align", dir, "--unsure-policy", "as-no"},
+      {"align", dir, "--plan", "worst"},
+      {"align", dir, "--group", "0"},
+      {"align", dir, "--threads", "0"},
+      {"align", dir, "--time-limit", "-1"},
+      {"align", dir, "--memory-limit", "0"},
+      {"align", dir, "--seed", "x"},
+      {"align", dir, "--interactive", "--true-goal", dir + "/true_goal.txt"},
+      {"align", dir + "/nowhere"},
+      {"align", dir, "--true-goal", dir + "/nowhere.txt"},
+      {"conflicts"},
+      {"conflicts", dir + "/nowhere"},
+      {"conflicts", dir, "--time-limit", "-1"},
+      {"plan", dir + "/robot_domain.pddl"},
+      {"plan", dir + "/robot_domain.pddl", dir + "/nowhere.pddl"},
+      {"validate", dir + "/robot_domain.pddl", dir + "/robot_problem.pddl"},
+      {"bench"},
+      {"bench", dir + "/nowhere"},
+      {"bench", dir, "--runs", "0"},
+      {"bench", dir, "--policy", "pepper"}};
+  for (const auto& arguments : wrong) {
+    const Ended ended = hagl(arguments);
+    std::string line;
+    for (const std::string& argument : arguments)
+      line += " " + argument;
+    EXPECT_EQ(ended.status, 2) << line;
+    EXPECT_NE(ended.err, "") << line;
+  }
+}
+
+TEST(Usage, WhatIsToComeSaysSo) {
+  const Folder folder;
+  writeDesk(folder, "(down b)\n");
+  const std::string dir = folder.path();
+  const std::vector<std::vector<std::string>> not_yet = {
+      {"align", dir, "--group", "3"},        {"align", dir, "--negative-candidates"},
+      {"align", dir, "--plan", "anytime"},   {"align", dir, "--threads", "2"},
+      {"align", dir, "--policy", "optimal"}, {"align", dir, "--policy", "ratio"},
+      {"bench", dir, "--policy", "ratio"},   {"perturb", "d.pddl", "--seed", "1"}};
+  for (const auto& arguments : not_yet) {
+    const Ended ended = hagl(arguments);
+    EXPECT_EQ(ended.status, 2) << arguments.back();
+    EXPECT_NE(ended.err.find("not supported yet"), std::string::npos) << ended.err;
+    EXPECT_EQ(ended.out, "");
+  }
+}
+
+TEST(Usage, HelpIsNoError) {
+  EXPECT_EQ(hagl({"--help"}).status, 0);
+  EXPECT_EQ(hagl({"align", "--help"}).status, 0);
+}
+
+TEST(Conflicts, AreListedSortedAndComplete) {
+  const Folder folder;
+  writeDesk(folder, "");
+  const Ended ended = hagl({"conflicts", folder.path(), "--json"});
+  EXPECT_EQ(ended.status, 0);
+  const json expected = json::parse(R"json({"complete": true, "conflicts": [
+      {"fluents": ["(down a)", "(held a)"], "proven": true, "minimal": true},
+      {"fluents": ["(free)", "(held a)"], "proven": true, "minimal": true},
+      {"fluents": ["(held b)"], "proven": true, "minimal": true}]})json");
+  EXPECT_EQ(ended.json(), expected);
+  const Ended text = hagl({"conflicts", folder.path()});
+  EXPECT_NE(text.out.find("(free) (held a)"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("complete"), std::string::npos);
+}
+
+TEST(Conflicts, AnUnsolvableGoalIsOneEmptyConflict) {
+  const Folder folder;
+  writeDesk(folder, "");
+  std::string domain = folder.read("robot_domain.pddl");
+  folder.write("robot_domain.pddl", domain.replace(domain.find("(held ?x) (not (free))"), 9, ""));
+  for (const char* file : {"robot_problem.pddl", "human_problem.pddl"}) {
+    std::string problem = folder.read(file);
+    folder.write(file, problem.replace(problem.find("(:goal (down b))"), 16, "(:goal (held b))"));
+  }
+  const Ended ended = hagl({"conflicts", folder.path(), "--json"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  ASSERT_EQ(ended.json()["conflicts"].size(), 1U);
+  EXPECT_EQ(ended.json()["conflicts"][0]["fluents"], json::array());
+}
+
+TEST(Conflicts, IncompleteOnesExitWithThree) {
+  const Folder folder;
+  samples::writeEndless(folder);
+  const Ended ended = hagl({"conflicts", folder.path(), "--json", "--time-limit", "0.3"});
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_EQ(ended.json()["complete"], false);
+}
+
+TEST(Conflicts, CtrlCCancels) {
+  const Folder folder;
+  samples::writeEndless(folder);
+  Program program({"conflicts", folder.path()});
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait().status, 4);
+}
+
+class PlanCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.write("d.pddl", pddl::samples::kTeaDomain);
+    folder_.write("p.pddl", pddl::samples::kTeaProblem);
+  }
+  std::vector<std::string> plan(const std::vector<std::string>& more) const {
+    std::vector<std::string> all = {"plan", folder_ / "d.pddl", folder_ / "p.pddl"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  Folder folder_;
+};
+
+TEST_F(PlanCommand, OptimalMinimisesTheMetric) {
+  const Ended ended = hagl(plan({"--optimal", "--json"}));
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const json found = ended.json();
+  EXPECT_EQ(found["outcome"], "plan_found");
+  EXPECT_EQ(found["cost"], 8);  // carry the pot 3, heat 5, pour 0
+  EXPECT_EQ(found["optimal"], true);
+  EXPECT_EQ(found["plan"].size(), 3U);
+  for (const char* field : {"expanded", "evaluated", "peak_mib"}) {
+    EXPECT_TRUE(found[field].is_number()) << field;
+  }
+  for (const char* phase : {"parse", "ground", "search", "total"}) {
+    EXPECT_TRUE(found["timing"][phase].is_number()) << phase;
+  }
+  EXPECT_EQ(hagl(plan({"--json"})).json()["optimal"], false);
+}
+
+TEST_F(PlanCommand, PrintsAPlanThatValidateAccepts) {
+  const Ended ended = hagl(plan({}));
+  EXPECT_EQ(ended.status, 0);
+  folder_.write("plan.txt", ended.out);
+  const Ended valid =
+      hagl({"validate", folder_ / "d.pddl", folder_ / "p.pddl", folder_ / "plan.txt"});
+  EXPECT_EQ(valid.status, 0) << valid.out;
+  EXPECT_NE(valid.out.find("valid, 3 steps, cost 8"), std::string::npos) << valid.out;
+}
+
+TEST_F(PlanCommand, AnUnsolvableTaskExitsWithOne) {
+  folder_.write("p.pddl", pddl::samples::with(pddl::samples::kTeaProblem, "(HandEmpty) ", ""));
+  const Ended ended = hagl(plan({"--json"}));
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_EQ(ended.json()["outcome"], "no_plan");
+  EXPECT_FALSE(ended.json().contains("plan"));
+}
+
+TEST_F(PlanCommand, BrokenPddlExitsWithTwoAndItsPlace) {
+  folder_.write("p.pddl", "(define (problem p)\n (:domain tea) (:oops))");
+  const Ended ended = hagl(plan({}));
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.err.find("p.pddl:2:"), std::string::npos) << ended.err;
+}
+
+TEST_F(PlanCommand, LimitsExitWithThree) {
+  folder_.write("d.pddl", samples::endlessDomain("(full ?p)"));
+  folder_.write("p.pddl", samples::endlessProblem("(and (stowed a) (stowed b) (stowed c))"));
+  for (const std::string mode : {"--json", "--optimal"}) {
+    EXPECT_EQ(hagl(plan({"--time-limit", "0.2", "--json", mode})).status, 3) << mode;
+  }
+  const Ended memory = hagl(plan({"--memory-limit", "1", "--json"}));
+  EXPECT_EQ(memory.status, 3);
+  EXPECT_EQ(memory.json()["outcome"], "undecided");
+}
+
+TEST_F(PlanCommand, CtrlCExitsWithFour) {
+  folder_.write("d.pddl", samples::endlessDomain("(full ?p)"));
+  folder_.write("p.pddl", samples::endlessProblem("(and (stowed a) (stowed b) (stowed c))"));
+  Program program(plan({"--json"}));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  program.signal(SIGINT);
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.status, 4);
+  EXPECT_EQ(ended.json()["outcome"], "cancelled");
+}
+
+TEST_F(PlanCommand, ValidateNamesWhatIsWrong) {
+  folder_.write("plan.txt", "(heat pot)\n");
+  const Ended ended =
+      hagl({"validate", folder_ / "d.pddl", folder_ / "p.pddl", folder_ / "plan.txt"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.out.find("(at Pot Table)"), std::string::npos) << ended.out;
+}
+
+TEST(Bench, AlignsEveryInstanceBelowAFolder) {
+  const Folder root;
+  writeDesk(root, "(down b)\n(held a)\n", "one/");
+  writeDesk(root, "(down b)\n(held b)\n", "two/deeper/");
+  const Ended ended = hagl({"bench", root.path(), "--policy", "auto", "--policy", "paper", "--runs",
+                            "3", "--json", "--csv", root / "table.csv"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const json rows = ended.json();
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0]["instance"], "one");
+  EXPECT_EQ(rows[0]["policy"], "auto");
+  EXPECT_EQ(rows[0]["questions_mean"], 3.0);
+  EXPECT_EQ(rows[0]["outcome"], "plan_found");
+  EXPECT_EQ(rows[2]["outcome"], "no_plan");
+  const std::string csv = root.read("table.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  EXPECT_NE(csv.find("deeper,paper"), std::string::npos) << csv;
+}
+
+TEST(Bench, AnInstanceThatDoesNotRunIsAFailure) {
+  const Folder root;
+  writeDesk(root, "(down b)\n", "good/");
+  writeDesk(root, "(down b)\n", "bad/");
+  root.write("bad/true_goal.txt", "(down");
+  const Ended ended = hagl({"bench", root.path(), "--runs", "1"});
+  EXPECT_NE(ended.status, 0);
+  EXPECT_NE(ended.out.find("good"), std::string::npos);
+  EXPECT_NE(ended.out.find("error"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace goal_alignment::cli
