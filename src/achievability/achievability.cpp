@@ -57,7 +57,7 @@ void Achievability::classify(const grounding::GroundTask& robot,
   }
 }
 
-void Achievability::addConflict(std::vector<std::size_t> candidates) {
+void Achievability::addConflict(const std::vector<std::size_t>& candidates) {
   Conflict conflict;
   conflict.members.resize(facts_.size());
   for (const std::size_t candidate : candidates)

@@ -14,7 +14,6 @@
 namespace goal_alignment::cli {
 
 using session::AnswerKind;
-using session::OutcomeCode;
 using session::QuestionView;
 using session::Session;
 

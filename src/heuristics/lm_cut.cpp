@@ -11,7 +11,7 @@ using task::FactId;
 
 namespace {
 
-enum Zone : std::uint8_t { kNoZone = 0, kGoalZone = 1, kSeen = 2 };
+enum Zone : std::uint8_t { NoZone = 0, GoalZone = 1, Seen = 2 };
 
 }  // namespace
 
@@ -29,7 +29,7 @@ LmCut::LmCut(const task::Task& task, const task::FactSet& goal)
 
 void LmCut::reset() {
   operators_ = fresh_operators_;
-  std::fill(facts_.begin(), facts_.end(), Fact{0, false, kNoZone});
+  std::fill(facts_.begin(), facts_.end(), Fact{0, false, NoZone});
   queue_.clear();
 }
 
@@ -96,14 +96,14 @@ void LmCut::exploreAfterCut() {
 /// at least the goal's.
 void LmCut::enterGoalZone() {
   goal_zone_.assign(1, relaxed_.goal_fact);
-  facts_[relaxed_.goal_fact].zone = kGoalZone;
+  facts_[relaxed_.goal_fact].zone = GoalZone;
   for (std::size_t i = 0; i < goal_zone_.size(); ++i) {
     for (const std::uint32_t op : relaxed_.effect_of[goal_zone_[i]]) {
       const Operator& achiever = operators_[op];
       if (achiever.unsatisfied != 0 || achiever.cost != 0) continue;
       Fact& supporter = facts_[achiever.supporter];
-      if (supporter.zone == kGoalZone) continue;
-      supporter.zone = kGoalZone;
+      if (supporter.zone == GoalZone) continue;
+      supporter.zone = GoalZone;
       goal_zone_.push_back(achiever.supporter);
     }
   }
@@ -118,7 +118,7 @@ void LmCut::findCut() {
   for (const FactId fact : goal_zone_) {
     for (const std::uint32_t op : relaxed_.effect_of[fact]) {
       if (operators_[op].unsatisfied != 0 || crosses_[op]) continue;
-      if (facts_[operators_[op].supporter].zone == kGoalZone) continue;
+      if (facts_[operators_[op].supporter].zone == GoalZone) continue;
       crosses_[op] = 1;
       crossing_.push_back(op);
     }
@@ -132,7 +132,7 @@ void LmCut::findCut() {
   for (const std::uint32_t op : crossing_)
     crosses_[op] = 0;
   for (const FactId fact : goal_zone_)
-    facts_[fact].zone = kNoZone;
+    facts_[fact].zone = NoZone;
 }
 
 /// Searches the justification graph backwards from the fact for one that the state reaches for less
@@ -140,23 +140,23 @@ void LmCut::findCut() {
 bool LmCut::reachedBeforeZone(FactId fact) {
   const Cost goal_cost = facts_[relaxed_.goal_fact].cost;
   seen_.assign(1, fact);
-  facts_[fact].zone = kSeen;
+  facts_[fact].zone = Seen;
   bool found = false;
   for (std::size_t i = 0; i < seen_.size() && !found; ++i) {
     for (const std::uint32_t op : relaxed_.effect_of[seen_[i]]) {
       if (operators_[op].unsatisfied != 0 || crosses_[op]) continue;
       Fact& supporter = facts_[operators_[op].supporter];
-      if (supporter.zone != kNoZone) continue;
+      if (supporter.zone != NoZone) continue;
       if (supporter.cost < goal_cost) {
         found = true;
         break;
       }
-      supporter.zone = kSeen;
+      supporter.zone = Seen;
       seen_.push_back(operators_[op].supporter);
     }
   }
   for (const FactId seen : seen_)
-    facts_[seen].zone = kNoZone;
+    facts_[seen].zone = NoZone;
   return found;
 }
 

@@ -62,7 +62,9 @@ bool MutexTable::reachTogether(FactId f, const std::vector<Word>& others) {
 }
 
 MutexTable::MutexTable(const task::Task& task, const Limits& limits)
-    : words_(task::wordsFor(task.facts.size())), applicable_(task.operators.size(), false) {
+    : fact_count_(task.facts.size()),
+      words_(task::wordsFor(task.facts.size())),
+      applicable_(task.operators.size(), false) {
   checkMemory(words_ * task.facts.size() * sizeof(Word), limits);
   together_.assign(words_ * task.facts.size(), 0);
   std::vector<std::vector<OperatorId>> needed_by(task.facts.size());
@@ -82,7 +84,6 @@ MutexTable::MutexTable(const task::Task& task, const Limits& limits)
   for (OperatorId op = 0; op < task.operators.size(); ++op)
     work.push(op);
   std::vector<Word> after(words_);
-  std::vector<bool> changed(task.facts.size());
   while (!work.empty()) {
     if (const LimitReason reason = monitor.poll(); reason != LimitReason::None) {
       throw LimitReached(reason, "the mutex table");
@@ -91,43 +92,49 @@ MutexTable::MutexTable(const task::Task& task, const Limits& limits)
     const task::Operator& op = task.operators[id];
     if (!applicable_[id] && contains(op.precondition)) continue;
     applicable_[id] = true;
-    // What may be true beside the precondition, and so, but for the deletes, after the operator.
-    after.assign(words_, ~Word{0});
-    for (const FactId fact : op.precondition) {
-      for (std::size_t i = 0; i < words_; ++i)
-        after[i] &= row(fact)[i];
-    }
-    if (op.precondition.empty()) {
-      after.assign(words_, 0);
-      for (FactId fact = 0; fact < task.facts.size(); ++fact) {
-        if (!mutex(fact, fact)) task::setBit(after.data(), fact);
-      }
-    }
-    for (const FactId fact : op.del)
-      task::clearBit(after.data(), fact);
-    for (const FactId fact : op.add)
-      task::setBit(after.data(), fact);
-    bool news = false;
+    possibleAfter(op, after);
+    // A pair {f, g} is news for the operators that need f, and for those that need g.
+    const auto news = [&](std::size_t fact) {
+      for (const OperatorId user : needed_by[fact])
+        work.push(user);
+    };
+    bool any = false;
     for (const FactId fact : op.add) {
       const std::vector<Word> before(row(fact), row(fact) + words_);
       if (!reachTogether(fact, after)) continue;
-      news = true;
-      // A pair {fact, g} is news for the operators that need fact, and for those that need g.
-      for (const OperatorId user : needed_by[fact])
-        work.push(user);
-      for (std::size_t i = 0; i < words_; ++i) {
-        for (Word fresh = row(fact)[i] & ~before[i]; fresh != 0; fresh &= fresh - 1) {
-          const auto g = i * task::kWordBits + static_cast<std::size_t>(__builtin_ctzll(fresh));
-          for (const OperatorId user : needed_by[g])
-            work.push(user);
-        }
-      }
+      any = true;
+      news(fact);
+      std::vector<Word> fresh(row(fact), row(fact) + words_);
+      for (std::size_t i = 0; i < words_; ++i)
+        fresh[i] &= ~before[i];
+      task::forEachBit(fresh.data(), words_, news);
     }
-    if (news) {
+    if (any) {
       for (const OperatorId user : without_precondition)
         work.push(user);
     }
   }
+}
+
+/// What may be true right after the operator: what may stand beside its precondition, but for the
+/// deletes, and the adds.
+void MutexTable::possibleAfter(const task::Operator& op, std::vector<Word>& after) const {
+  if (op.precondition.empty()) {
+    after.assign(words_, 0);
+    for (FactId fact = 0; fact < fact_count_; ++fact) {
+      if (!mutex(fact, fact)) task::setBit(after.data(), fact);
+    }
+  } else {
+    after.assign(words_, ~Word{0});
+  }
+  for (const FactId fact : op.precondition) {
+    for (std::size_t i = 0; i < words_; ++i)
+      after[i] &= row(fact)[i];
+  }
+  for (const FactId fact : op.del)
+    task::clearBit(after.data(), fact);
+  for (const FactId fact : op.add)
+    task::setBit(after.data(), fact);
 }
 
 task::Task MutexTable::withoutInapplicable(task::Task task) const {

@@ -33,6 +33,7 @@ constexpr std::array<Entry, 3> kPolicies = {{
 
 std::vector<std::string> policyNames() {
   std::vector<std::string> names;
+  names.reserve(kPolicies.size());
   for (const Entry& entry : kPolicies)
     names.emplace_back(entry.name);
   return names;

@@ -127,7 +127,7 @@ TEST_F(Console, endsAtOnceOnCtrlCWhileItWaitsForALine) {
   const Question question = sendAndAwaitQuestion(sweepHall());
   ASSERT_TRUE(terminal_.shows("> "));
   terminal_.type("\x03");
-  EXPECT_EQ(terminal_.exitStatus(2.0), 0);
+  EXPECT_EQ(terminal_.exitStatus(5.0), 0);
   EXPECT_TRUE(answer(Answer::Request::NO, question.question_id).accepted) << "others may answer";
   EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
 }
@@ -145,7 +145,7 @@ TEST_F(Console, endsCleanlyAtTheEndOfInputAndAnswersNothing) {
 TEST_F(Console, endsOnCtrlCWithoutAQuestion) {
   ASSERT_TRUE(isOffered("/ask_human"));
   terminal_.type("\x03");
-  EXPECT_EQ(terminal_.exitStatus(2.0), 0);
+  EXPECT_EQ(terminal_.exitStatus(5.0), 0);
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST_F(Executor, stopsAtOnceWhenCanceled) {
   ASSERT_TRUE(
       dispatches_.waitFor([&](const ActionDispatch& d) { return d.plan_id == goal.plan.plan_id; }));
   client_.cancelGoal();
-  ASSERT_TRUE(eventually([this] { return client_.getState().isDone(); }, 2));
+  ASSERT_TRUE(eventually([this] { return client_.getState().isDone(); }));
   EXPECT_EQ(client_.getState(), State::PREEMPTED);
   EXPECT_EQ(client_.getResult()->outcome, ExecutePlanResult::CANCELED);
   EXPECT_EQ(client_.getResult()->failed_step, 0);

@@ -96,7 +96,7 @@ class Achievability {
   void classify(const grounding::GroundTask& robot, const std::vector<Literal>& specified,
                 const std::vector<Literal>& candidates);
   void findMutexConflicts(const heuristics::MutexTable& mutexes);
-  void addConflict(std::vector<std::size_t> candidates);
+  void addConflict(const std::vector<std::size_t>& candidates);
   CandidateSet satisfied(const task::Word* state) const;
   task::FactSet goalFacts(const CandidateSet& set) const;
   void recordPlan(const task::Plan& plan);

@@ -23,7 +23,7 @@ class GoalsDiffer : public Exception {
 /// A step of π^H can't be executed in the human model.
 class HumanPlanInvalid : public Exception {
  public:
-  HumanPlanInvalid(const validation::Violation& violation);
+  explicit HumanPlanInvalid(const validation::Violation& violation);
   std::size_t step() const noexcept { return step_; }
 
  private:

@@ -31,8 +31,10 @@ class MutexTable {
  private:
   const task::Word* row(task::FactId fact) const { return together_.data() + fact * words_; }
   task::Word* row(task::FactId fact) { return together_.data() + fact * words_; }
+  void possibleAfter(const task::Operator& op, std::vector<task::Word>& after) const;
   bool reachTogether(task::FactId f, const std::vector<task::Word>& others);
 
+  std::size_t fact_count_;
   std::size_t words_;
   std::vector<task::Word> together_;  // row f, bit g: f and g may be true together
   std::vector<bool> applicable_;

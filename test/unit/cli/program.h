@@ -114,9 +114,23 @@ class Program {
   }
   void signal(int number) const { kill(id_, number); }
 
+  /// Waits until it has used up some processor time: it is in the middle of its work then, however
+  /// busy the machine. False when it never does.
+  bool works() const {
+    const long enough = sysconf(_SC_CLK_TCK) / 4;
+    for (int i = 0; i < 6000; ++i) {
+      std::ifstream stat("/proc/" + std::to_string(id_) + "/stat");
+      std::string field;
+      for (int n = 0; n < 14; ++n) stat >> field;  // the 14th: user time
+      if (stat && std::stol(field) >= enough) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+
   /// Waits until stderr has the text; false when it never comes.
   bool says(const std::string& text) const {
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < 6000; ++i) {
       if (folder_.read("err").find(text) != std::string::npos) return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }

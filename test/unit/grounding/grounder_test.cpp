@@ -34,7 +34,6 @@ Literal negative(const std::string& atom) {
 
 /// What a naive ground action becomes, given which atoms can change and which have complements.
 std::map<GroundName, NamedOperator> naiveOperators(const oracles::RelaxedGrounding& naive,
-                                                   const oracles::Atoms& initial,
                                                    const std::set<Literal>& facts) {
   std::map<GroundName, NamedOperator> result;
   const auto changes = [&](const GroundName& atom) { return facts.count({atom, false}) > 0; };
@@ -66,7 +65,6 @@ std::map<GroundName, NamedOperator> naiveOperators(const oracles::RelaxedGroundi
         std::includes(op.precondition.begin(), op.precondition.end(), op.add.begin(), op.add.end());
     if (possible && !idle) result[action.name] = op;
   }
-  (void)initial;
   return result;
 }
 
@@ -124,7 +122,7 @@ RC_GTEST_PROP(Grounder, EqualsNaiveGrounding, ()) {
   }
   RC_ASSERT(named(ground.task, ground.task.initial) == initially);
   RC_ASSERT(std::is_sorted(ground.task.initial.begin(), ground.task.initial.end()));
-  RC_ASSERT(namedOperators(ground.task) == naiveOperators(naive, initial, facts));
+  RC_ASSERT(namedOperators(ground.task) == naiveOperators(naive, facts));
   RC_ASSERT(namedOperators(ground.task).size() == ground.task.operators.size());
 }
 
