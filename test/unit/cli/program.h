@@ -121,7 +121,8 @@ class Program {
     for (int i = 0; i < 6000; ++i) {
       std::ifstream stat("/proc/" + std::to_string(id_) + "/stat");
       std::string field;
-      for (int n = 0; n < 14; ++n) stat >> field;  // the 14th: user time
+      for (int n = 0; n < 14; ++n)
+        stat >> field;  // the 14th: user time
       if (stat && std::stol(field) >= enough) return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
