@@ -92,7 +92,8 @@ Plan align(ros::NodeHandle& node, TaskStory& story, const HumanTask& task) {
   const auto result = client.getResult();
   if (!result) throw std::runtime_error("the alignment gave no result");
   story.hear(*result);
-  if (result->outcome != AlignResult::SUCCESS) throw std::runtime_error("there is no plan");
+  if (result->outcome != AlignResult::SUCCESS)
+    throw std::runtime_error("the task ended without a plan");
   return result->plan;
 }
 

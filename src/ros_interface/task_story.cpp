@@ -146,7 +146,12 @@ void TaskStory::tellPlan(const Plan& plan) {
 }
 
 void TaskStory::tellFailure(const AlignResult& result) {
-  fmt::print(out_, "\nThere is no plan (outcome {}): {}.\n", result.outcome, result.message);
+  // "There is no plan" is said only where that is proven.
+  const bool proven = result.outcome == AlignResult::GOAL_UNSOLVABLE ||
+                      result.outcome == AlignResult::EXPECTATION_UNACHIEVABLE;
+  fmt::print(out_, "\n{} (outcome {}): {}.\n",
+             proven ? "There is no plan" : "The robot does not act", result.outcome,
+             result.message);
   for (const AlternativeGoal& alternative : result.alternatives) {
     fmt::print(out_, "  It could be done without this: {}.\n",
                joined(alternative.given_up, phrases_));
