@@ -268,6 +268,8 @@ void AlignmentRunner::openQuestion(GoalTicket& ticket) {
   if (kept_.options.ask_timeout > 0) {
     open_.expires = stampNow() + ros::Duration(kept_.options.ask_timeout);
   }
+  // First of all the result that a cancel would take: it may come as soon as the question is seen.
+  report(ticket, open_.text);
   open_ = announcer_.publish(open_);
   announcer_.tell(fmt::format("question {}: {}{}{}", open_.question_id, open_.text,
                               open_.why.empty() ? "" : " ", open_.why));
