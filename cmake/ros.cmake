@@ -1,5 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Floors 8 and 9: messages, libraries and programs of the ROS graph. catkin is looked for here alone.
+
+# catkin notes now in which environment run_tests will run, and leaves out folders that are not there yet;
+# without this one no Python tool of a first build's tests would know our messages.
+if(NOT CATKIN_DEVEL_PREFIX)
+  set(CATKIN_DEVEL_PREFIX ${CMAKE_CURRENT_BINARY_DIR}/devel)
+endif()
+file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
+
 find_package(catkin REQUIRED COMPONENTS
   actionlib actionlib_msgs diagnostic_msgs message_generation roscpp roslib std_msgs)
 

@@ -11,8 +11,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "console_dialogue");
   goal_alignment::ros_interface::ConsoleDialogue dialogue(ros::NodeHandle{}, STDIN_FILENO,
                                                           std::cout);
-  // Two askers may wait in callbacks while a third thread hears that a question is over.
-  ros::AsyncSpinner spinner(3);
+  ros::AsyncSpinner spinner(2);  // a second asker waits for the first
   spinner.start();
   dialogue.run();
   ros::shutdown();

@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   try {
     const goal_alignment::ros_interface::ScriptedDialogue dialogue{ros::NodeHandle{},
                                                                    ros::NodeHandle{"~"}};
-    ros::AsyncSpinner spinner(2);  // a question waits in one thread, its end is heard in the other
+    ros::AsyncSpinner spinner(2);  // a second asker need not wait for the first
     spinner.start();
     ros::waitForShutdown();
   } catch (const std::exception& error) {

@@ -22,14 +22,6 @@ namespace {
 constexpr std::chrono::milliseconds kShutdownCheck{50};
 constexpr const char* kKeys = "y = yes, n = no, ? = don't know, d = no more questions";
 
-std::array<int, 2> makePipe() {
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_NONBLOCK | O_CLOEXEC) != 0) {
-    throw std::system_error(errno, std::generic_category(), "pipe");
-  }
-  return ends;
-}
-
 std::string trimmed(const std::string& line) {
   constexpr const char* kBlanks = " \t\r";
   const std::size_t begin = line.find_first_not_of(kBlanks);
@@ -85,21 +77,26 @@ std::optional<Reply> parseReply(const std::string& line, std::size_t fluents) {
   return std::nullopt;
 }
 
+ConsoleDialogue::WakePipe::WakePipe() {
+  if (pipe2(ends.data(), O_NONBLOCK | O_CLOEXEC) != 0) {
+    throw std::system_error(errno, std::generic_category(), "pipe");
+  }
+}
+
+ConsoleDialogue::WakePipe::~WakePipe() {
+  close(ends[0]);
+  close(ends[1]);
+}
+
 ConsoleDialogue::ConsoleDialogue(ros::NodeHandle node, int input, std::ostream& out)
     : out_(out),
-      wake_pipe_(makePipe()),
-      lines_(input, wake_pipe_[0]),
+      lines_(input, wake_pipe_.ends[0]),
       watch_(node, [this] { wake(); }),
       service_(node.advertiseService(kAskHumanService, &ConsoleDialogue::ask, this)) {}
 
-ConsoleDialogue::~ConsoleDialogue() {
-  close(wake_pipe_[0]);
-  close(wake_pipe_[1]);
-}
-
 void ConsoleDialogue::wake() const {
   const char byte = 0;
-  (void)!write(wake_pipe_[1], &byte, 1);  // a full pipe wakes as well
+  (void)!write(wake_pipe_.ends[1], &byte, 1);  // a full pipe wakes as well
 }
 
 bool ConsoleDialogue::ask(AskHuman::Request& request, AskHuman::Response& response) {

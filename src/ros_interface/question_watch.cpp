@@ -22,8 +22,11 @@ bool endsQuestion(const Question& shown, std::uint32_t newest, const Question& a
 }
 
 QuestionWatch::QuestionWatch(ros::NodeHandle node, std::function<void()> changed)
-    : changed_(std::move(changed)),
-      subscriber_(node.subscribe(kAlignerQuestionTopic, kQueueSize, &QuestionWatch::show, this)) {}
+    : changed_(std::move(changed)), listener_(1, &callbacks_) {
+  node.setCallbackQueue(&callbacks_);
+  subscriber_ = node.subscribe(kAlignerQuestionTopic, kQueueSize, &QuestionWatch::show, this);
+  listener_.start();
+}
 
 void QuestionWatch::show(const Question::ConstPtr& question) {
   {

@@ -113,6 +113,7 @@ class Scenario : public testing::Test {
  protected:
   Scenario();
   void SetUp() override;
+  void TearDown() override;
 
   /// Sends the goal and waits for the question it leads to; fails the test where none comes.
   Question sendAndAwaitQuestion(const AlignGoal& goal);

@@ -37,7 +37,6 @@ std::optional<Reply> parseReply(const std::string& line, std::size_t fluents);
 class ConsoleDialogue {
  public:
   ConsoleDialogue(ros::NodeHandle node, int input, std::ostream& out);
-  ~ConsoleDialogue();
 
   /// Talks to the person until the input ends or the node shuts down. The calling thread alone
   /// reads and writes the terminal; callbacks must run in others.
@@ -45,6 +44,15 @@ class ConsoleDialogue {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  // Wakes the terminal's thread from others.
+  struct WakePipe {
+    WakePipe();
+    ~WakePipe();
+    WakePipe(const WakePipe&) = delete;
+    WakePipe& operator=(const WakePipe&) = delete;
+    std::array<int, 2> ends{};
+  };
 
   bool ask(AskHuman::Request& request, AskHuman::Response& response);
   void wake() const;
@@ -56,7 +64,7 @@ class ConsoleDialogue {
   bool cameTooEarly() const;
 
   std::ostream& out_;
-  std::array<int, 2> wake_pipe_;
+  WakePipe wake_pipe_;
   LineReader lines_;
 
   std::mutex asking_;  // one question at a time, whoever asks

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
+#include <ros/spinner.h>
 #include <ros/subscriber.h>
 
 #include <chrono>
@@ -15,10 +17,11 @@
 namespace goal_alignment::ros_interface {
 
 /// Tells a dialogue node that the question it was asked is no longer open, because another
-/// answerer was faster or the task ended. Thread-safe.
+/// answerer was faster or the task ended. It listens on a thread of its own: however many ask_human
+/// calls wait in the node's callbacks, the end of their question is heard. Thread-safe.
 class QuestionWatch {
  public:
-  /// `changed` is called from a callback thread after every message; it may be empty.
+  /// `changed` is called from the listening thread after every message; it may be empty.
   explicit QuestionWatch(ros::NodeHandle node, std::function<void()> changed = {});
 
   bool isGone(const Question& asked) const;
@@ -34,7 +37,9 @@ class QuestionWatch {
   mutable std::condition_variable shown_changed_;
   Question shown_;            // question_id 0 until the first message
   std::uint32_t newest_ = 0;  // id ever shown
+  ros::CallbackQueue callbacks_;
   ros::Subscriber subscriber_;
+  ros::AsyncSpinner listener_;
 };
 
 /// Whether `shown` on ~question means that `asked` is over; `newest` is the largest id shown so
