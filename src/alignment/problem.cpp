@@ -46,9 +46,12 @@ bool changes(const pddl::Model& model, const GroundName& atom) {
   return predicate && model.predicates[static_cast<std::size_t>(*predicate)].fluent;
 }
 
-std::vector<Candidate> candidatesOf(const Problem& problem) {
+std::vector<Candidate> candidatesOf(const Problem& problem, const Limits& limits) {
   std::vector<Candidate> candidates;
+  LimitMonitor monitor(limits);
   for (const pddl::Atom& atom : problem.expectation.finalState()) {
+    if (const LimitReason limit = monitor.poll(); limit != LimitReason::None)
+      throw LimitReached(limit, "finding what the person expects");
     const Literal fluent = {problem.human.name(atom), false};
     if (std::binary_search(problem.specified.begin(), problem.specified.end(), fluent)) continue;
     const bool is_static =
@@ -74,7 +77,7 @@ GoalNotExpected::GoalNotExpected(const std::vector<Literal>& missing, bool plan_
       missing_(missing) {}
 
 Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Literal>& goal,
-                    std::vector<GroundName> human_plan) {
+                    std::vector<GroundName> human_plan, const Limits& limits) {
   Problem problem;
   problem.specified = specifiedGoal(robot, human, goal);
   problem.expectation = validation::execute(human, human_plan);
@@ -85,7 +88,7 @@ Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Lite
   problem.robot = std::move(robot);
   problem.human = std::move(human);
   problem.human_plan = std::move(human_plan);
-  problem.candidates = candidatesOf(problem);
+  problem.candidates = candidatesOf(problem, limits);
   return problem;
 }
 

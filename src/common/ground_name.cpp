@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "goal_alignment/common/quote.h"
+
 namespace goal_alignment {
 
 namespace {
@@ -20,7 +22,7 @@ std::string_view trim(std::string_view text) {
 }
 
 [[noreturn]] void refuse(std::string_view text) {
-  throw std::invalid_argument("expected '(name argument …)', found '" + std::string(text) + "'");
+  throw std::invalid_argument("expected '(name argument …)', found " + inQuotes(text));
 }
 
 /// Takes off one pair of parentheses, if there is one.

@@ -36,9 +36,7 @@ class TaskBuilder {
     numberFacts(literals);
     result_.task.operators.reserve(reached_.instantiations.size());
     for (const Instantiation& instantiation : reached_.instantiations) {
-      if (const LimitReason reason = monitor_.poll(); reason != LimitReason::None) {
-        throw LimitReached(reason, "grounding");
-      }
+      pollLimits();
       addOperator(instantiation);
     }
     nameAtoms();
@@ -46,6 +44,12 @@ class TaskBuilder {
   }
 
  private:
+  /// Called once an instantiation, in each pass over them.
+  void pollLimits() {
+    const LimitReason reason = monitor_.poll();
+    if (reason != LimitReason::None) throw LimitReached(reason, "grounding");
+  }
+
   const Schema& schema(const Instantiation& instantiation) const {
     return model_.schemas[static_cast<std::size_t>(instantiation.schema)];
   }
@@ -63,6 +67,7 @@ class TaskBuilder {
       changes_[id] = !initial_[id];
     std::vector<AtomId> added;
     for (const Instantiation& instantiation : reached_.instantiations) {
+      pollLimits();
       const Schema& action = schema(instantiation);
       if (action.del.empty()) continue;
       added.clear();
@@ -95,6 +100,7 @@ class TaskBuilder {
       }
     };
     for (const Instantiation& instantiation : reached_.instantiations) {
+      pollLimits();
       for (const pddl::LiftedLiteral& literal : schema(instantiation).precondition) {
         if (literal.negated) complement(find(literal.atom, instantiation));
       }
@@ -186,6 +192,7 @@ class TaskBuilder {
     result_.model_ = &model_;
     result_.atoms_.reserve(atom_count_);
     for (AtomId id = 0; id < atom_count_; ++id) {
+      pollLimits();
       GroundTask::AtomStatus status;
       if (changes_[id]) {
         status.positive = {Kind::Variable, fact_[id]};

@@ -115,14 +115,10 @@ class Join {
   };
 
   void indexTypes() {
-    has_type_.assign(model_.objects.size() * model_.types.size(), false);
     objects_of_.resize(model_.types.size());
     for (std::size_t o = 0; o < model_.objects.size(); ++o) {
-      for (std::size_t t = 0; t < model_.types.size(); ++t) {
-        if (!model_.isSubtype(model_.objects[o].type, static_cast<pddl::TypeId>(t))) continue;
-        has_type_[o * model_.types.size() + t] = true;
-        objects_of_[t].push_back(static_cast<ObjectId>(o));
-      }
+      for (pddl::TypeId t = model_.objects[o].type; t != -1; t = model_.types[t].parent)
+        objects_of_[static_cast<std::size_t>(t)].push_back(static_cast<ObjectId>(o));
     }
   }
 
@@ -167,8 +163,9 @@ class Join {
 
   /// Binds one parameter; false where its type or an equality forbids the object.
   bool bindParameter(std::size_t parameter, ObjectId object) {
-    const auto type = static_cast<std::size_t>(schema_->parameters[parameter].type);
-    if (!has_type_[static_cast<std::size_t>(object) * model_.types.size() + type]) return false;
+    if (!model_.isSubtype(model_.objects[object].type, schema_->parameters[parameter].type)) {
+      return false;
+    }
     binding_[parameter] = object;
     trail_.push_back(parameter);
     for (const pddl::Equality& equality : schema_->equalities) {
@@ -266,7 +263,6 @@ class Join {
   Limits limits_;
   LimitMonitor monitor_;
   AtomIndex index_;
-  std::vector<bool> has_type_;  // object × type
   std::vector<std::vector<ObjectId>> objects_of_;
   std::vector<std::vector<Occurrence>> occurrences_;
   std::vector<bool> deletable_;

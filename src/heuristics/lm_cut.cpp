@@ -15,8 +15,9 @@ enum Zone : std::uint8_t { NoZone = 0, GoalZone = 1, Seen = 2 };
 
 }  // namespace
 
-LmCut::LmCut(const task::Task& task, const task::FactSet& goal)
-    : relaxed_(task, goal),
+LmCut::LmCut(const task::Task& task, const task::FactSet& goal, const CancelToken* cancel)
+    : cancel_(cancel),
+      relaxed_(task, goal),
       state_words_(task::wordsFor(task.facts.size())),
       facts_(relaxed_.fact_count),
       fresh_operators_(relaxed_.operator_count),
@@ -165,7 +166,7 @@ Cost LmCut::evaluate(const task::Word* state) {
   const Fact& goal = facts_[relaxed_.goal_fact];
   if (!goal.reached) return kInfinity;
   Cost total = 0;
-  while (goal.cost != 0) {
+  while (goal.cost != 0 && (cancel_ == nullptr || !cancel_->cancelled())) {
     enterGoalZone();
     findCut();
     assert(!cut_.empty());

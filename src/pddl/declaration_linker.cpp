@@ -50,6 +50,7 @@ void addObjects(LinkContext& context, const std::vector<ast::TypedName>& list,
   // A constant may be repeated once: twice in one list is a slip like any other.
   std::vector<bool> repeated(constants, false);
   for (const ast::TypedName& declared : list) {
+    context.pollLimits();
     const TypeId type = context.typeOf(declared, source_name);
     const std::string& spelling = declared.name.spelling;
     if (context.objects.add(spelling, static_cast<ObjectId>(context.model.objects.size()))) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "declaration_reader.h"
 
+#include <memory>
+
 #include "formula_reader.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/pddl/near_name.h"
@@ -79,7 +81,7 @@ std::vector<ast::TypedName> readTypedList(TokenReader& reader, ListOf kind,
       continue;
     }
     reader.word("'-'");
-    const ast::Name type = readType(reader);
+    const auto type = std::make_shared<const ast::Name>(readType(reader));
     while (typed < list.size())
       list[typed++].type = type;
   }

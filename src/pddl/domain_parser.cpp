@@ -24,7 +24,7 @@ const std::vector<std::string> kRefusedSections{
 /// linking, so none needs to stand before another.
 class DomainParser {
  public:
-  explicit DomainParser(const Source& source) : reader_(source) {
+  DomainParser(const Source& source, const Limits& limits) : reader_(source, limits) {
     domain_.source.name = source.name;
   }
 
@@ -84,8 +84,8 @@ class DomainParser {
 
 }  // namespace
 
-ast::Domain parseDomain(const Source& source) {
-  return DomainParser(source).parse();
+ast::Domain parseDomain(const Source& source, const Limits& limits) {
+  return DomainParser(source, limits).parse();
 }
 
 }  // namespace goal_alignment::pddl

@@ -14,16 +14,20 @@ namespace goal_alignment::pddl {
 
 /// What the steps hand on.
 struct LinkContext {
-  LinkContext(const ast::Domain& domain_ast, const ast::Problem& problem_ast);
+  LinkContext(const ast::Domain& domain_ast, const ast::Problem& problem_ast, const Limits& limits);
 
   const ast::Domain& domain;
   const ast::Problem& problem;
+  LimitMonitor monitor;
   Model model;
   NameTable types{"type"};
   NameTable objects{"object"};
   NameTable predicates{"predicate"};
   NameTable functions{"function"};
   NameTable schemas{"action"};
+
+  /// At every object and fact; throws LimitReached.
+  void pollLimits();
 
   /// The declared type, or `object` where none was written.
   TypeId typeOf(const ast::TypedName& typed, const std::string& source_name) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <utility>
 
+#include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/pddl/near_name.h"
 #include "link_context.h"
 
@@ -19,11 +20,17 @@ void requireSameDomain(const ast::Domain& domain, const ast::Problem& problem) {
 
 }  // namespace
 
-LinkContext::LinkContext(const ast::Domain& domain_ast, const ast::Problem& problem_ast)
-    : domain(domain_ast), problem(problem_ast) {
+LinkContext::LinkContext(const ast::Domain& domain_ast, const ast::Problem& problem_ast,
+                         const Limits& limits)
+    : domain(domain_ast), problem(problem_ast), monitor(limits) {
   model.domain_source = domain.source.name;
   model.problem_source = problem.source.name;
   model.has_costs = problem.minimises_total_cost;
+}
+
+void LinkContext::pollLimits() {
+  const LimitReason limit = monitor.poll();
+  if (limit != LimitReason::None) throw LimitReached(limit, "reading " + problem.source.name);
 }
 
 TypeId LinkContext::typeOf(const ast::TypedName& typed, const std::string& source_name) const {
@@ -81,10 +88,10 @@ Atom linkGroundAtom(const LinkContext& context, const ast::Atom& atom, const Voc
   return ground;
 }
 
-Model link(const ast::Domain& domain, const ast::Problem& problem) {
+Model link(const ast::Domain& domain, const ast::Problem& problem, const Limits& limits) {
   requireSameDomain(domain, problem);
   // Each step reads what the ones before it have declared.
-  LinkContext context(domain, problem);
+  LinkContext context(domain, problem, limits);
   linkTypes(context);
   linkObjects(context);
   linkPredicatesAndFunctions(context);

@@ -11,7 +11,8 @@ namespace goal_alignment::pddl {
 
 namespace {
 
-constexpr std::size_t kLongestQuote = 60;
+/// Whoever writes longer names does not mistype them.
+constexpr std::size_t kLongestName = 60;
 
 /// Single-letter slips between two names: one too many, one missing, one wrong, two swapped
 /// (Damerau and Levenshtein's distance, of which only the last three rows are held).
@@ -36,13 +37,8 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string inQuotes(std::string_view name) {
-  if (name.size() <= kLongestQuote) return "'" + std::string(name) + "'";
-  return "'" + std::string(name.substr(0, kLongestQuote)) + "…'";
-}
-
 std::string suggestion(std::string_view wanted, const std::vector<std::string>& known) {
-  if (wanted.size() > kLongestQuote) return {};
+  if (wanted.size() > kLongestName) return {};
   const std::string lower = toLower(wanted);
   // One slip in every three letters is the most that still looks like the same name: of one or two
   // letters (a, b, c1) nearly everything would be near.

@@ -37,6 +37,7 @@ void linkInit(LinkContext& context) {
   const std::string& source_name = context.problem.source.name;
   std::unordered_set<Atom, AtomHash> known;
   for (const ast::Atom& fact : context.problem.init) {
+    context.pollLimits();
     const Atom atom = linkGroundAtom(context, fact, predicatesOf(context), source_name);
     if (known.insert(atom).second) context.model.init.push_back(atom);
   }
@@ -44,8 +45,9 @@ void linkInit(LinkContext& context) {
   for (const ast::Atom& fact : context.problem.init_false) {
     const Atom atom = linkGroundAtom(context, fact, predicatesOf(context), source_name);
     if (known.count(atom) > 0) {
-      throw SemanticError(source_name, fact.predicate.position,
-                          context.model.name(atom).text() + " is both true and false in :init");
+      throw SemanticError(
+          source_name, fact.predicate.position,
+          inQuotes(context.model.name(atom).text()) + " is both true and false in :init");
     }
   }
   for (const ast::FunctionValue& value : context.problem.init_values) {

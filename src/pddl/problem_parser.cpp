@@ -21,7 +21,7 @@ const std::vector<std::string> kRefusedSections{":constraints", ":length", ":sit
 /// missing; the domain's name and a goal may not, since no plan could be asked for.
 class ProblemParser {
  public:
-  explicit ProblemParser(const Source& source) : reader_(source) {
+  ProblemParser(const Source& source, const Limits& limits) : reader_(source, limits) {
     problem_.source.name = source.name;
   }
 
@@ -163,8 +163,8 @@ class ProblemParser {
 
 }  // namespace
 
-ast::Problem parseProblem(const Source& source) {
-  return ProblemParser(source).parse();
+ast::Problem parseProblem(const Source& source, const Limits& limits) {
+  return ProblemParser(source, limits).parse();
 }
 
 }  // namespace goal_alignment::pddl

@@ -11,9 +11,9 @@ namespace {
 /// The parsed text, or nothing and one fault more.
 template <typename Parse>
 auto parsedOrFault(Parse parse, const Source& source, std::vector<std::string>& faults)
-    -> std::optional<decltype(parse(source))> {
+    -> std::optional<decltype(parse(source, Limits{}))> {
   try {
-    return parse(source);
+    return parse(source, Limits{});
   } catch (const std::exception& fault) {
     faults.emplace_back(fault.what());
     return std::nullopt;
@@ -22,8 +22,8 @@ auto parsedOrFault(Parse parse, const Source& source, std::vector<std::string>& 
 
 }  // namespace
 
-Model readModel(const Source& domain, const Source& problem) {
-  return link(parseDomain(domain), parseProblem(problem));
+Model readModel(const Source& domain, const Source& problem, const Limits& limits) {
+  return link(parseDomain(domain, limits), parseProblem(problem, limits), limits);
 }
 
 std::vector<std::string> faults(const Source& domain, const Source& problem) {

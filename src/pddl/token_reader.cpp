@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "token_reader.h"
 
+#include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/pddl/exceptions.h"
 #include "goal_alignment/pddl/near_name.h"
@@ -11,8 +12,8 @@ std::string toString(SourcePosition position) {
   return std::to_string(position.line) + ":" + std::to_string(position.column);
 }
 
-TokenReader::TokenReader(const Source& source)
-    : source_(source), lexer_(source), current_(lexer_.next()) {}
+TokenReader::TokenReader(const Source& source, const Limits& limits)
+    : source_(source), lexer_(source), monitor_(limits), current_(lexer_.next()) {}
 
 bool TokenReader::atWord(std::string_view lower_case) const {
   return atWord() && current_.text.size() == lower_case.size() &&
@@ -65,6 +66,12 @@ void TokenReader::finish() {
 }
 
 Token TokenReader::take() {
+  const LimitReason limit = monitor_.poll();
+  if (limit != LimitReason::None) throw LimitReached(limit, "reading " + source_.name);
+  if (current_.text.size() > kLongestWord) {
+    fail(current_.position, inQuotes(current_.text) + " is longer than " +
+                                std::to_string(kLongestWord) + " characters");
+  }
   if (atOpen()) {
     // Checked here, before any reader recurses into it.
     if (open_.size() == kDeepestNesting) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "goal_alignment/common/limits.h"
 #include "goal_alignment/pddl/ast.h"
 #include "goal_alignment/pddl/lexer.h"
 
@@ -15,8 +16,11 @@ namespace goal_alignment::pddl {
 class TokenReader {
  public:
   static constexpr std::size_t kDeepestNesting = 1000;
+  /// What holds a name holds it many times: every ground action holds those of its arguments.
+  static constexpr std::size_t kLongestWord = 1000;
 
-  explicit TokenReader(const Source& source);
+  /// Polls the limits at every token and throws LimitReached.
+  explicit TokenReader(const Source& source, const Limits& limits = {});
 
   const Token& current() const { return current_; }
   bool atOpen() const { return current_.kind == Token::Kind::Open; }
@@ -51,6 +55,7 @@ class TokenReader {
 
   const Source& source_;
   Lexer lexer_;
+  LimitMonitor monitor_;
   Token current_;
   std::vector<SourcePosition> open_;  ///< the parentheses that stand open, outermost first
   std::string place_;

@@ -8,6 +8,8 @@ namespace goal_alignment::pddl {
 
 namespace {
 
+constexpr int kDeepestHierarchy = 100;
+
 /// Types form a tree below `object`; lists may name a parent before, after or without declaring it.
 class TypeLinker {
  public:
@@ -20,6 +22,7 @@ class TypeLinker {
     for (const ast::TypedName& declared : context_.domain.types)
       setParent(declared);
     refuseCycles();
+    refuseDeepHierarchy();
   }
 
  private:
@@ -64,6 +67,18 @@ class TypeLinker {
             context_.domain.source.name, positions_[type],
             "type " + inQuotes(types_[type].name.spelling) + " is its own ancestor");
       }
+    }
+  }
+
+  /// Bounds what Model::isSubtype() costs, which every fact and every effect asks.
+  void refuseDeepHierarchy() const {
+    for (std::size_t start = 0; start < types_.size(); ++start) {
+      int depth = 0;
+      for (auto type = static_cast<TypeId>(start); type != kObjectType; type = types_[type].parent)
+        if (++depth > kDeepestHierarchy) {
+          throw SemanticError(context_.domain.source.name, positions_[start],
+                              "types are nested deeper than " + std::to_string(kDeepestHierarchy));
+        }
     }
   }
 

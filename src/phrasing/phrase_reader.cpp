@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/phrasing/phrases.h"
 
 namespace goal_alignment::phrasing {
 
 namespace {
 
-/// Longer texts are cut in messages.
-constexpr std::size_t kMaxQuoted = 40;
+/// Far more than a person wants to hear. Aliases repeat a text for two bytes each, so that without
+/// a bound the phrases could be as long as the square of the file.
+constexpr std::size_t kLongestText = 1000;
+
+/// yaml-cpp's own messages may hold half a character of the text.
+constexpr std::size_t kLongestMessage = 200;
 
 std::string describe(const YAML::Node& node) {
   switch (node.Type()) {
@@ -20,13 +27,32 @@ std::string describe(const YAML::Node& node) {
     case YAML::NodeType::Sequence:
       return "a list";
     case YAML::NodeType::Scalar:
-      return "'" + node.Scalar().substr(0, kMaxQuoted) + "'";
+      return inQuotes(node.Scalar());
     case YAML::NodeType::Null:
     case YAML::NodeType::Undefined:
       break;
   }
   return "nothing";
 }
+
+/// Hears of a document nothing but where it begins.
+class DocumentStart : public YAML::EventHandler {
+ public:
+  YAML::Mark mark;
+
+  void OnDocumentStart(const YAML::Mark& at) override { mark = at; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
 
 }  // namespace
 
@@ -37,16 +63,27 @@ class PhraseReader {
 
   Phrases read(const std::string& text) {
     try {
-      const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-      if (documents.size() > 1) fail(documents[1].Mark(), "one document", "a second one");
-      if (!documents.empty() && !documents.front().IsNull()) readSections(documents.front());
+      refuseSecondDocument(text);
+      const YAML::Node document = YAML::Load(text);
+      if (!document.IsNull()) readSections(document);
     } catch (const YAML::Exception& exception) {
-      fail(exception.mark, "YAML", exception.msg);
+      const std::size_t readable = utf8Length(exception.msg, kLongestMessage);
+      fail(exception.mark, "YAML", exception.msg.substr(0, readable));
     }
     return std::move(phrases_);
   }
 
  private:
+  /// Not YAML::LoadAll(): what a document can't begin with, such as `,`, it reads for ever as one
+  /// empty document after the other.
+  void refuseSecondDocument(const std::string& text) const {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    DocumentStart start;
+    if (!parser.HandleNextDocument(start) || !parser.HandleNextDocument(start)) return;
+    fail(start.mark, "one document", "a second one");
+  }
+
   [[noreturn]] void fail(const YAML::Mark& mark, const std::string& expected,
                          const std::string& found) const {
     failAt(mark, "expected " + expected + ", found " + found);
@@ -64,7 +101,15 @@ class PhraseReader {
 
   std::string text(const YAML::Node& node, const std::string& what) const {
     if (!node.IsScalar() || node.Scalar().empty()) fail(node.Mark(), what, describe(node));
-    return node.Scalar();
+    const std::string& scalar = node.Scalar();
+    if (scalar.size() > kLongestText) {
+      fail(node.Mark(), "at most " + std::to_string(kLongestText) + " bytes", describe(node));
+    }
+    // Messages carry nothing else, and YAML's own encodings were converted before.
+    if (utf8Length(scalar, kLongestText) < scalar.size()) {
+      fail(node.Mark(), "UTF-8", "other bytes in " + describe(node));
+    }
+    return scalar;
   }
 
   TemplateText sentence(const YAML::Node& node, const std::string& what) const {
@@ -81,7 +126,7 @@ class PhraseReader {
   void insert(std::map<std::string, Value>& into, const YAML::Node& key, Value value) const {
     const std::string name = toLower(text(key, "a name"));
     if (!into.emplace(name, std::move(value)).second) {
-      fail(key.Mark(), "each name once", "'" + name + "' again");
+      fail(key.Mark(), "each name once", inQuotes(name) + " again");
     }
   }
 
@@ -90,7 +135,7 @@ class PhraseReader {
     for (const auto& section : root) {
       const std::string name = text(section.first, "the name of a section");
       if (name != "predicates" && name != "objects" && name != "actions") {
-        fail(section.first.Mark(), "'predicates', 'objects' or 'actions'", "'" + name + "'");
+        fail(section.first.Mark(), "'predicates', 'objects' or 'actions'", inQuotes(name));
       }
       if (section.second.IsNull()) continue;  // `objects:` with nothing below it
       expectMap(section.second, "a map from names to texts");
@@ -122,7 +167,7 @@ class PhraseReader {
       } else if (name == "negated") {
         insert(phrases_.negated_, key, sentence(form.second, "a text"));
       } else {
-        fail(form.first.Mark(), "'affirmative' or 'negated'", "'" + name + "'");
+        fail(form.first.Mark(), "'affirmative' or 'negated'", inQuotes(name));
       }
     }
   }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "goal_alignment/common/quote.h"
+
 namespace goal_alignment::phrasing {
 
 namespace {
@@ -22,8 +24,8 @@ std::size_t readGap(const std::string& text, std::size_t& open) {
       std::all_of(inside.begin(), inside.end(), [](char c) { return c >= '0' && c <= '9'; });
   if (!number) {
     const std::string found = close == std::string::npos ? inside : "{" + inside + "}";
-    throw std::invalid_argument("expected a gap such as {0} (or {{ for a brace), found '" + found +
-                                "'");
+    throw std::invalid_argument("expected a gap such as {0} (or {{ for a brace), found " +
+                                inQuotes(found));
   }
   open = close;
   return static_cast<std::size_t>(std::stoul(inside));
@@ -44,8 +46,8 @@ TemplateText TemplateText::parse(const std::string& text) {
       piece.index = readGap(text, i);
       result.pieces_.push_back(std::exchange(piece, {}));
     } else if (c == '}') {
-      throw std::invalid_argument("expected '{' before '}' (or }} for a brace), found '" +
-                                  text.substr(0, i + 1) + "'");
+      throw std::invalid_argument("expected '{' before '}' (or }} for a brace), found " +
+                                  inQuotes(text.substr(0, i + 1)));
     } else {
       piece.text += c;
     }

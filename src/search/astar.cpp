@@ -47,7 +47,7 @@ class AStar {
         goal_(goal),
         upper_bound_(upper_bound),
         monitor_(limits),
-        heuristic_(task, goal),
+        heuristic_(task, goal, limits.cancel),
         space_(task) {}
 
   Result run() {

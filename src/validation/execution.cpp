@@ -76,13 +76,13 @@ std::optional<Violation> Step::bind() {
     std::vector<std::string> known;
     for (const pddl::Schema& schema : model_.schemas)
       known.push_back(schema.name.spelling);
-    return violation(Kind::UnknownAction, "unknown action " + pddl::inQuotes(action_.name) +
+    return violation(Kind::UnknownAction, "unknown action " + inQuotes(action_.name) +
                                               pddl::suggestion(action_.name, known));
   }
   schema_ = &model_.schemas[*id];
   const std::size_t takes = schema_->parameters.size();
   if (takes != action_.arguments.size()) {
-    return violation(Kind::WrongArity, pddl::inQuotes(schema_->name.spelling) + " takes " +
+    return violation(Kind::WrongArity, inQuotes(schema_->name.spelling) + " takes " +
                                            std::to_string(takes) +
                                            (takes == 1 ? " argument" : " arguments") + ", found " +
                                            std::to_string(action_.arguments.size()));
@@ -100,16 +100,15 @@ std::optional<Violation> Step::bindArgument(const std::string& name) {
     for (const pddl::Object& declared : model_.objects)
       known.push_back(declared.name.spelling);
     return violation(Kind::UnknownObject,
-                     "unknown object " + pddl::inQuotes(name) + pddl::suggestion(name, known));
+                     "unknown object " + inQuotes(name) + pddl::suggestion(name, known));
   }
   const pddl::Parameter& parameter = schema_->parameters[arguments_.size()];
   const pddl::Object& argument = model_.objects[*object];
   if (!model_.isSubtype(argument.type, parameter.type)) {
-    return violation(Kind::WrongType,
-                     pddl::inQuotes(argument.name.spelling) + " is of type " +
-                         pddl::inQuotes(model_.types[argument.type].name.spelling) +
-                         ", but parameter '?" + parameter.name + "' takes " +
-                         pddl::inQuotes(model_.types[parameter.type].name.spelling));
+    return violation(Kind::WrongType, inQuotes(argument.name.spelling) + " is of type " +
+                                          inQuotes(model_.types[argument.type].name.spelling) +
+                                          ", but parameter '?" + parameter.name + "' takes " +
+                                          inQuotes(model_.types[parameter.type].name.spelling));
   }
   arguments_.push_back(*object);
   return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/limits.h"
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/validation/execution.h"
 
@@ -57,9 +58,9 @@ struct Problem {
 
 /// Puts the problem together: G^H is `goal`, or that of the problem files where it is empty; S^H is
 /// where π^H leads in the human model. Throws GoalsDiffer, HumanPlanInvalid, GoalNotExpected and
-/// pddl::SemanticError (a goal that the human model can't name).
+/// pddl::SemanticError (a goal that the human model can't name), LimitReached.
 /// O(size of the models + sum of the states on the way).
 Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Literal>& goal,
-                    std::vector<GroundName> human_plan);
+                    std::vector<GroundName> human_plan, const Limits& limits = {});
 
 }  // namespace goal_alignment::alignment

@@ -22,7 +22,7 @@ struct GroundName {
   std::string text() const;
 
   /// Reads `(name arg …)` or `name arg …`, in any case. An empty or unbalanced text throws
-  /// std::invalid_argument that quotes it.
+  /// std::invalid_argument that quotes its beginning.
   static GroundName parse(std::string_view text);
 
   friend bool operator==(const GroundName& a, const GroundName& b) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "goal_alignment/common/limits.h"
 #include "goal_alignment/heuristics/priority_queue.h"
 #include "goal_alignment/heuristics/relaxed_task.h"
 #include "goal_alignment/task/state.h"
@@ -17,9 +18,11 @@ namespace goal_alignment::heuristics {
 /// date between cuts.
 class LmCut {
  public:
-  LmCut(const task::Task& task, const task::FactSet& goal);
+  /// `cancel` may be null; one evaluation of a large task takes longer than a cancel may.
+  LmCut(const task::Task& task, const task::FactSet& goal, const CancelToken* cancel = nullptr);
 
-  /// A lower bound on the cost from the state to the goal; kInfinity: proven unreachable.
+  /// A lower bound on the cost from the state to the goal; kInfinity: proven unreachable. Cut short
+  /// by a cancel it is a lower bound still.
   task::Cost evaluate(const task::Word* state);
 
  private:
@@ -44,6 +47,7 @@ class LmCut {
   bool reachedBeforeZone(task::FactId fact);
   void findSupporter(std::uint32_t op);
 
+  const CancelToken* cancel_;
   RelaxedTask relaxed_;
   std::size_t state_words_;
   std::vector<Fact> facts_;

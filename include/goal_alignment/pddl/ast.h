@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,7 @@ struct Name {
 /// One entry of a typed list; no type means `object`. For parameters the name has its `?`.
 struct TypedName {
   Name name;
-  std::optional<Name> type;
+  std::shared_ptr<const Name> type;  ///< one for all names of `a b c - type`
 };
 
 /// `(predicate term …)`; a term is a parameter when it begins with `?`.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/limits.h"
 #include "goal_alignment/pddl/ast.h"
 #include "goal_alignment/pddl/exceptions.h"
 
@@ -121,7 +122,7 @@ struct Model {
   std::optional<ObjectId> findObject(const std::string& lower_name) const;
   std::optional<SchemaId> findSchema(const std::string& lower_name) const;
 
-  /// Reflexive and transitive. O(depth of the hierarchy).
+  /// Reflexive and transitive. O(depth of the hierarchy), which link() bounds.
   bool isSubtype(TypeId type, TypeId of) const;
 
   /// The atom by ids, or nothing where the predicate, an object, the arity or a type does not fit;
@@ -139,7 +140,7 @@ struct Model {
   void setGoal(const std::vector<Literal>& literals);
 
  private:
-  friend Model link(const ast::Domain& domain, const ast::Problem& problem);
+  friend Model link(const ast::Domain& domain, const ast::Problem& problem, const Limits& limits);
   std::unordered_map<std::string, PredicateId> predicate_ids_;
   std::unordered_map<std::string, ObjectId> object_ids_;
   std::unordered_map<std::string, SchemaId> schema_ids_;
@@ -147,11 +148,11 @@ struct Model {
 
 /// Checks and resolves. Throws SemanticError (undeclared or doubly declared names, wrong arity,
 /// wrong types, cyclic types, a problem for another domain, a negative cost, …) at the first fault.
-/// O(size of both texts).
-Model link(const ast::Domain& domain, const ast::Problem& problem);
+/// Polls the limits at every fact and throws LimitReached. O(size of both texts).
+Model link(const ast::Domain& domain, const ast::Problem& problem, const Limits& limits = {});
 
 /// parseDomain, parseProblem and link in one.
-Model readModel(const Source& domain, const Source& problem);
+Model readModel(const Source& domain, const Source& problem, const Limits& limits = {});
 
 /// Every fault found, as `file:line:column: message`: the syntax of both texts, then (when both
 /// parse) the first semantic one. Empty: the pair can be planned with. Never throws.

@@ -5,10 +5,9 @@
 #include <string_view>
 #include <vector>
 
-namespace goal_alignment::pddl {
+#include "goal_alignment/common/quote.h"
 
-/// A name in quotes, shortened where no person would read it to its end.
-std::string inQuotes(std::string_view name);
+namespace goal_alignment::pddl {
 
 /// `; did you mean 'handempty'?` for the known name nearest to `wanted`, or nothing where none is
 /// near. Case does not count. Meant for messages: O(known names · length²).

@@ -2,17 +2,19 @@
 #pragma once
 
 #include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/limits.h"
 #include "goal_alignment/pddl/ast.h"
 
 /// PDDL 1.2/2.1 text to ast (Ghallab et al. 1998; Fox & Long 2003), the part named in README.md:
 /// :strips :typing :equality :negative-preconditions :constants :action-costs.
 ///
-/// All functions are O(text), keep no state, and throw SyntaxError or UnsupportedError.
+/// All functions are O(text), keep no state, and throw SyntaxError or UnsupportedError; those with
+/// limits poll them at every token and throw LimitReached.
 namespace goal_alignment::pddl {
 
-ast::Domain parseDomain(const Source& source);
+ast::Domain parseDomain(const Source& source, const Limits& limits = {});
 
-ast::Problem parseProblem(const Source& source);
+ast::Problem parseProblem(const Source& source, const Limits& limits = {});
 
 /// One ground action `(name obj …)` a line, `;` comments, blank lines. Steps keep their position.
 struct PlanText {

@@ -34,6 +34,21 @@ RC_GTEST_PROP(LmCut, LiesBetweenHMaxAndTheOptimalCost, ()) {
   }
 }
 
+TEST(LmCut, CutShortByACancelIsALowerBoundStill) {
+  RandomSource random(1);
+  const Task task = oracles::randomTask(random);
+  const task::FactSet goal = oracles::randomGoal(random, task);
+  const auto initial = oracles::stateOf(task, oracles::initialFacts(task));
+  CancelToken token;
+  LmCut whole(task, goal);
+  LmCut stopped(task, goal, &token);
+  EXPECT_EQ(stopped.evaluate(initial.data()), whole.evaluate(initial.data()));
+  token.cancel();
+  const Cost h = stopped.evaluate(initial.data());
+  EXPECT_TRUE(h == 0 || h == kInfinity) << "no cut was made";
+  EXPECT_LE(h, whole.evaluate(initial.data()));
+}
+
 RC_GTEST_PROP(LmCut, IsZeroExactlyInGoalStatesWhereNothingIsFree, ()) {
   RandomSource random = oracles::anySource();
   oracles::TaskSize size;

@@ -217,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"(:goal ()) (:objects a) (:init (in a))",
               "36: 'a' is of type 'object', but 'in' takes 'box' there"},
         Fault{"(:goal ()) (:init (handempty) (not (handempty)))",
-              "37: (handempty) is both true and false in :init"},
+              "37: '(handempty)' is both true and false in :init"},
         Fault{"(:goal ()) (:init (not (on a)))", "25: unknown predicate 'on'"},
         Fault{"(:goal ()) (:init (= (g k) 1))", "23: unknown function 'g'"},
         Fault{"(:goal ()) (:init (= (f k) 1) (= (F K) 2))",

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "goal_alignment/common/exceptions.h"
+#include "goal_alignment/pddl/parser.h"
 #include "unit/pddl/samples.h"
 
 namespace goal_alignment::pddl {
@@ -14,6 +16,26 @@ std::string whyNot(const std::string& atom) {
   std::string why_not;
   const bool resolved = samples::tea().resolve(GroundName::parse(atom), &why_not).has_value();
   return resolved ? "resolved" : why_not;
+}
+
+TEST(ReadModel, StopsAtACancelAndAtTheDeadline) {
+  const Source domain{"d.pddl", samples::kTeaDomain};
+  const Source problem{"p.pddl", samples::kTeaProblem};
+  CancelToken token;
+  Limits limits;
+  limits.cancel = &token;
+  EXPECT_EQ(readModel(domain, problem, limits).init, samples::tea().init);
+  token.cancel();
+  try {
+    readModel(domain, problem, limits);
+    FAIL() << "read to its end";
+  } catch (const LimitReached& stopped) {
+    EXPECT_EQ(stopped.reason(), LimitReason::Cancelled);
+  }
+  EXPECT_THROW(readModel(domain, problem, Limits{}.withSeconds(0)), LimitReached);
+  const ast::Domain domain_ast = parseDomain(domain);
+  const ast::Problem problem_ast = parseProblem(problem);
+  EXPECT_THROW(link(domain_ast, problem_ast, limits), LimitReached);
 }
 
 TEST(Model, FindsByLowerCaseName) {

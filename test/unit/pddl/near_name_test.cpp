@@ -25,10 +25,5 @@ TEST(Suggestion, DoesNotDependOnTheOrder) {
   EXPECT_EQ(suggestion("cap", {"cup", "cab"}), suggestion("cap", {"cab", "cup"}));
 }
 
-TEST(InQuotes, ShortensWhatNobodyWouldRead) {
-  EXPECT_EQ(inQuotes("on"), "'on'");
-  EXPECT_LT(inQuotes(std::string(100000, 'x')).size(), 100U);
-}
-
 }  // namespace
 }  // namespace goal_alignment::pddl

@@ -109,6 +109,28 @@ TEST(Robustness, LongNamesMakeShortMessages) {
   EXPECT_LT(message.size(), 200U);
 }
 
+TEST(Robustness, LongerNamesThanAnybodyWritesAreRefused) {
+  const auto declaring = [](std::size_t length) {
+    return "(define (domain d) (:constants " + std::string(length, 'x') + "))";
+  };
+  EXPECT_EQ(parseDomain({"d", declaring(1000)}).constants.size(), 1U);
+  EXPECT_EQ(samples::domainError<SyntaxError>(declaring(1001)),
+            "d.pddl:1:32: '" + std::string(60, 'x') + "…' is longer than 1000 characters");
+}
+
+TEST(Robustness, DeepHierarchiesOfTypesAreRefused) {
+  const auto hierarchy = [](int depth) {
+    std::string types;
+    for (int i = 0; i < depth; ++i)
+      types += "t" + std::to_string(i) + " - t" + std::to_string(i + 1) + "\n";
+    return "(define (domain tea) (:types " + types + "))";
+  };
+  const std::string problem = "(define (problem p) (:domain tea) (:goal ()))";
+  EXPECT_EQ(samples::linkError(hierarchy(99), problem), "no error");
+  EXPECT_EQ(samples::linkError(hierarchy(100), problem),
+            "d.pddl:1:30: types are nested deeper than 100");
+}
+
 // Ten megabytes take a fraction of a second; anything quadratic would take hours.
 TEST(Robustness, MegabytesAreReadInLinearTime) {
   std::string objects;

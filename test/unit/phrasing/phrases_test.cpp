@@ -166,7 +166,12 @@ TEST(Phrases, ErrorsNamePlaceExpectationAndWhatStoodThere) {
       {"predicates:\n  on: {positive: x}", "2:8",
        "expected 'affirmative' or 'negated', found 'positive'"},
       {"objects: {a: b\n", "2:1", "expected YAML, found end of map flow not found"},
-      {"objects:\n---\nobjects:\n", "3:1", "expected one document, found a second one"},
+      {"objects:\n---\nobjects:\n", "2:1", "expected one document, found a second one"},
+      {", a", "1:1", "expected one document, found a second one"},
+      {"objects: {a: K\xfc}", "1:14", "expected UTF-8, found other bytes in 'K…'"},
+      {"objects: {a: \"\\ü\"}", "1:17", "expected YAML, found unknown escape character: "},
+      {"objects: {a: " + std::string(1001, 'x') + "}", "1:14",
+       "expected at most 1000 bytes, found '" + std::string(60, 'x') + "…'"},
   };
   for (const Broken& row : table) {
     try {

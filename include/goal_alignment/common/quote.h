@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace goal_alignment {
+
+/// How many bytes from the front, at most `most`, are whole characters of well-formed UTF-8.
+/// O(most).
+std::size_t utf8Length(std::string_view text, std::size_t most);
+
+/// Text from outside in quotes, for a message: shortened with `…` where no person would read it to
+/// its end, and where it stops being UTF-8, which messages must be.
+std::string inQuotes(std::string_view text);
+
+}  // namespace goal_alignment
