@@ -22,4 +22,22 @@ void AchievedSets::add(const CandidateSet& set, task::Plan plan) {
   sets_.push_back({set, std::move(plan)});
 }
 
+void AchievedSets::addMaximal(std::vector<Achieved> maximal) {
+  const std::vector<Achieved> known = std::exchange(sets_, {});
+  for (Achieved& achieved : maximal) {
+    const bool covered = std::any_of(known.begin(), known.end(), [&](const Achieved& old) {
+      return achieved.set.is_subset_of(old.set);
+    });
+    if (!covered) sets_.push_back(std::move(achieved));
+  }
+  const std::size_t added = sets_.size();
+  for (const Achieved& old : known) {
+    const auto end = sets_.begin() + static_cast<std::ptrdiff_t>(added);
+    const bool covered = std::any_of(sets_.begin(), end, [&](const Achieved& achieved) {
+      return old.set.is_subset_of(achieved.set);
+    });
+    if (!covered) sets_.push_back(old);
+  }
+}
+
 }  // namespace goal_alignment::achievability

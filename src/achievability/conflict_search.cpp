@@ -39,14 +39,19 @@ LimitReason Achievability::exhaust(const Limits& limits) {
     return true;
   };
   const LimitReason reason = exhaustive.run(limits.withStates(budget_.exhaustive), visit);
+  exhaustive_limit_ = reason;
+  // What a person or the clock broke off must end now, and may be tried anew; states and bytes
+  // would end it again.
+  exhaustive_tried_ = reason != LimitReason::Cancelled && reason != LimitReason::Time;
+  if (!exhaustive_tried_) return reason;
+  std::vector<AchievedSets::Achieved> achieved;
+  achieved.reserve(maximal.size());
   for (const auto& [set, id] : maximal) {
-    achieved_.add(set, exhaustive.plan(id));
+    achieved.push_back({set, exhaustive.plan(id)});
     conflicts_.clearSuspectedWithin(set);
   }
+  achieved_.addMaximal(std::move(achieved));
   exhaustive_complete_ = reason == LimitReason::None;
-  exhaustive_limit_ = reason;
-  // What a person or the clock broke off may be tried anew; states and bytes would end it again.
-  exhaustive_tried_ = reason != LimitReason::Cancelled && reason != LimitReason::Time;
   return reason;
 }
 

@@ -122,8 +122,9 @@ bool Session::Implementation::concludeBlocked() {
 }
 
 void Session::Implementation::ask(const questions::Choice& choice) {
+  const std::size_t asked = dialogue_.askedWith(choice.candidate);
   if (options_.max_questions >= 0 &&
-      dialogue_.asked() >= static_cast<std::size_t>(options_.max_questions)) {
+      asked > asked_before_ + static_cast<std::size_t>(options_.max_questions)) {
     finish(OutcomeCode::QuestionLimit,
            "the limit of questions is reached, and the outcome still depends on " +
                dialogue_.fluents()[choice.candidate].text());
@@ -131,7 +132,7 @@ void Session::Implementation::ask(const questions::Choice& choice) {
   }
   const Conflict* conflict = choice.conflict ? &robot().conflicts()[*choice.conflict] : nullptr;
   QuestionView view;
-  view.asked = dialogue_.asked();
+  view.asked = asked - 1;
   view.max_remaining = mostRemaining();
   view.bound_is_provisional = !robot().complete();
   dialogue_.ask(choice.candidate, conflict);
@@ -197,7 +198,7 @@ FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
   const CandidateSet asked = dialogue_.with(Knowledge::Wanted) | dialogue_.with(Knowledge::Unsure);
   const std::vector<Literal> wanted = fluents(asked);
   plan.guaranteed.insert(plan.guaranteed.end(), wanted.begin(), wanted.end());
-  plan.kept_unasked = fluents(achieved - asked);
+  plan.kept_unasked = fluents(achieved - asked - dialogue_.with(Knowledge::NotWanted));
   plan.not_wanted = fluents(dialogue_.with(Knowledge::NotWanted));
   return plan;
 }

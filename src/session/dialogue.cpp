@@ -73,6 +73,8 @@ void Dialogue::closeIfAnswered(AnswerKind kind) {
 }
 
 void Dialogue::ask(std::size_t candidate, const achievability::Conflict* conflict) {
+  asked_ = askedWith(candidate);
+  withdrawn_.reset();
   OpenQuestion question;
   question.candidates = {candidate};
   question.record.fluents = {fluents_[candidate]};
@@ -84,6 +86,11 @@ void Dialogue::ask(std::size_t candidate, const achievability::Conflict* conflic
     }
   }
   open_ = std::move(question);
+}
+
+void Dialogue::withdraw() {
+  if (open_) withdrawn_ = open_->candidates.front();
+  open_.reset();
 }
 
 void Dialogue::decline() {

@@ -30,7 +30,7 @@ class Dialogue {
   /// The person would not answer: the open question, if there is one, ends with that.
   void decline();
   /// Takes the open question back unanswered.
-  void withdraw() { open_.reset(); }
+  void withdraw();
   /// Makes every fluent answered "don't know" open once more; false when there is none left that
   /// was not reopened before.
   bool reopenUnsure();
@@ -40,8 +40,13 @@ class Dialogue {
   const std::vector<questions::Knowledge>& knowledge() const { return knowledge_; }
   const std::string& answeredBy(std::size_t candidate) const { return answered_by_[candidate]; }
   const std::vector<QuestionRecord>& records() const { return records_; }
-  /// Questions asked so far, the open one included.
-  std::size_t asked() const { return records_.size() + (open_ ? 1 : 0); }
+  /// Questions asked so far, the open one included. One that was taken back and is then put again
+  /// is one question.
+  std::size_t asked() const { return asked_; }
+  /// What asked() would be with a question about the candidate.
+  std::size_t askedWith(std::size_t candidate) const {
+    return asked_ + (withdrawn_ == candidate ? 0 : 1);
+  }
 
   /// The candidates with this knowledge.
   achievability::CandidateSet with(questions::Knowledge knowledge) const;
@@ -68,6 +73,8 @@ class Dialogue {
   std::vector<bool> reopened_;
   std::optional<OpenQuestion> open_;
   std::vector<QuestionRecord> records_;
+  std::size_t asked_ = 0;
+  std::optional<std::size_t> withdrawn_;  // the last question, where nobody answered it
 };
 
 }  // namespace goal_alignment::session

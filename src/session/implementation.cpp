@@ -37,6 +37,22 @@ void validate(const Options& options) {
   questions::makePolicy(options.policy, {});  // throws for an unknown name
 }
 
+/// Outcomes after which the same dialogue can go on.
+bool leavesOpen(OutcomeCode code) {
+  switch (code) {
+    case OutcomeCode::Canceled:
+    case OutcomeCode::TimeLimit:
+    case OutcomeCode::MemoryLimit:
+    case OutcomeCode::NoAnswer:
+    case OutcomeCode::Declined:
+    case OutcomeCode::QuestionLimit:
+    case OutcomeCode::UnsureBlocks:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 Session::Implementation::Implementation(Options options) : options_(std::move(options)) {
@@ -56,6 +72,7 @@ void Session::Implementation::begin(Input input) {
   earlier_robot_calls_ = 0;
   belief_calls_ = 0;
   budget_from_ = 0;
+  asked_before_ = 0;
   phase_ = Phase::Read;
   state_ = State::Analysing;
 }
@@ -130,11 +147,11 @@ void Session::Implementation::run(Phase phase) {
 }
 
 void Session::Implementation::read() {
-  pddl::Model robot = pddl::readModel(input_.robot_domain, input_.robot_problem);
-  pddl::Model human = pddl::readModel(input_.human_domain, input_.human_problem);
+  pddl::Model robot = pddl::readModel(input_.robot_domain, input_.robot_problem, limits());
+  pddl::Model human = pddl::readModel(input_.human_domain, input_.human_problem, limits());
   unit_costs_ = !(options_.costs && robot.has_costs && human.has_costs);
   problem_ = std::make_unique<alignment::Problem>(alignment::makeProblem(
-      std::move(robot), std::move(human), input_.goal, std::move(input_.human_plan)));
+      std::move(robot), std::move(human), input_.goal, input_.human_plan, limits()));
   input_ = {};
   dialogue_ = Dialogue(*problem_);
   phase_ = Phase::Ground;
@@ -218,8 +235,7 @@ std::vector<bool> Session::Implementation::unachievableAlone() {
 
 Receipt Session::Implementation::answer(const std::vector<Literal>& fluents, AnswerKind kind,
                                         const std::string& answered_by, bool revising) {
-  if (!problem_ || !robot_side_.achievability)
-    return {false, "the task is not analysed yet; there is no question"};
+  if (!problem_) return {false, "the models are not read yet; there is no question"};
   if (kind == AnswerKind::Decline) {
     if (state_ == State::Done) return {false, "the dialogue is over; there is nothing to decline"};
     dialogue_.decline();
@@ -236,7 +252,7 @@ Receipt Session::Implementation::answer(const std::vector<Literal>& fluents, Ans
   if (unanswered && !revising) return receipt;  // another fluent was volunteered
   dialogue_.withdraw();
   question_.reset();
-  if (state_ != State::Analysing) resume(beliefs_.empty() ? Phase::Check : Phase::Decide);
+  if (state_ != State::Analysing) resume(nextPhase());
   return receipt;
 }
 
@@ -258,6 +274,34 @@ void Session::Implementation::setRobotState(const std::vector<GroundName>& atoms
   dialogue_.withdraw();
   question_.reset();
   resume(Phase::Ground);
+}
+
+std::vector<GroundName> Session::Implementation::robotState() const {
+  std::vector<GroundName> atoms;
+  if (!problem_) return atoms;
+  atoms.reserve(problem_->robot.init.size());
+  for (const pddl::Atom& atom : problem_->robot.init)
+    atoms.push_back(problem_->robot.name(atom));
+  return atoms;
+}
+
+void Session::Implementation::goOn(const Options& options) {
+  validate(options);
+  options_.time_limit = options.time_limit;
+  options_.memory_limit = options.memory_limit;
+  options_.max_questions = options.max_questions;
+  options_.unsure_policy = options.unsure_policy;
+  asked_before_ = dialogue_.asked();
+  if (state_ != State::Done || !leavesOpen(outcome_.code)) return;
+  resume(nextPhase());
+}
+
+/// What is still to be done after an interruption or a new answer.
+Session::Implementation::Phase Session::Implementation::nextPhase() const {
+  if (!problem_) return Phase::Read;
+  if (!robot_side_.achievability) return Phase::Ground;
+  if (beliefs_.empty()) return phase_ == Phase::Believe ? Phase::Believe : Phase::Check;
+  return phase_ == Phase::FindConflicts ? Phase::FindConflicts : Phase::Decide;
 }
 
 /// Goes on thinking; after an outcome with a new allowance of time.

@@ -27,9 +27,12 @@ class Session::Implementation {
   Receipt answer(const std::vector<Literal>& fluents, AnswerKind kind,
                  const std::string& answered_by, bool revising);
   void setRobotState(const std::vector<GroundName>& atoms);
+  void goOn(const Options& options);
   void finish(OutcomeCode code, std::string message);
 
   Snapshot snapshot() const;
+  std::vector<GroundName> robotState() const;
+  const pddl::Model* robotModel() const { return problem_ ? &problem_->robot : nullptr; }
   std::string spelling(const GroundName& ground) const;
   std::vector<std::string> parameterNames(const std::string& action) const;
 
@@ -56,6 +59,7 @@ class Session::Implementation {
   std::vector<bool> unachievableAlone();
   Limits limits() const;
   double& stopwatch(Phase phase);
+  Phase nextPhase() const;
   void resume(Phase phase);
   void finish(Outcome outcome);
   achievability::Achievability& robot() { return *robot_side_.achievability; }
@@ -96,7 +100,8 @@ class Session::Implementation {
   Statistics statistics_;
   std::size_t earlier_robot_calls_ = 0;  // made before the robot's state changed
   std::size_t belief_calls_ = 0;
-  double budget_from_ = 0;  // thinking time used up when the last outcome was reached
+  double budget_from_ = 0;        // thinking time used up when the last outcome was reached
+  std::size_t asked_before_ = 0;  // questions that do not count against max_questions
 };
 
 }  // namespace goal_alignment::session

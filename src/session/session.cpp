@@ -47,6 +47,18 @@ void Session::setRobotState(const std::vector<GroundName>& atoms) {
   implementation_->setRobotState(atoms);
 }
 
+std::vector<GroundName> Session::robotState() const {
+  return implementation_->robotState();
+}
+
+const pddl::Model* Session::robotModel() const {
+  return implementation_->robotModel();
+}
+
+void Session::goOn(const Options& options) {
+  implementation_->goOn(options);
+}
+
 void Session::giveUpWaiting(const std::string& reason) {
   if (state() == State::AwaitingAnswer) implementation_->finish(OutcomeCode::NoAnswer, reason);
 }

@@ -39,6 +39,7 @@ Snapshot Session::Implementation::snapshot() const {
   if (!robot_side_.achievability) return view;
 
   const questions::Situation now = situation();
+  view.planning = state_ == State::Analysing && phase_ == Phase::Decide && !anyLive();
   view.conflicts_complete = robot().complete();
   for (const Conflict& conflict : now.conflicts) {
     ConflictView shown = {fluents(conflict.members), conflict.proven, conflict.minimal,

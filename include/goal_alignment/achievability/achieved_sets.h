@@ -23,6 +23,10 @@ class AchievedSets {
   /// Adds the set unless it is covered, and drops those it covers.
   void add(const CandidateSet& set, task::Plan plan);
 
+  /// The same for many, none of which covers another. O(old sets · new sets), where add() for each
+  /// would be quadratic in the new ones.
+  void addMaximal(std::vector<Achieved> maximal);
+
   const std::vector<Achieved>& all() const { return sets_; }
 
  private:

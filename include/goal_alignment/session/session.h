@@ -10,6 +10,7 @@
 
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/common/limits.h"
+#include "goal_alignment/pddl/model.h"
 #include "goal_alignment/pddl/source_position.h"
 #include "goal_alignment/session/options.h"
 #include "goal_alignment/session/outcome.h"
@@ -20,7 +21,7 @@
 ///     Idle ──begin()──▶ Analysing ──step()──▶ AwaitingAnswer | Done
 ///                           ▲                     │
 ///                           └──── answer() ───────┘
-///     Done ──revise(), answer(), setRobotState()──▶ Analysing        (nothing is asked again)
+///     Done ──revise(), answer(), setRobotState(), goOn()──▶ Analysing    (nothing is asked again)
 ///
 /// A worked example, compiled by test/unit/session/session_test.cpp:
 ///
@@ -111,7 +112,8 @@ struct QuestionRecord {
 /// Everything an onlooker may want to see.
 struct Snapshot {
   State state = State::Idle;
-  float progress = 0;  ///< 0 … 1
+  bool planning = false;  ///< in Analysing: no known conflict is left to ask about
+  float progress = 0;     ///< 0 … 1
   std::vector<Literal> specified;
   std::vector<CandidateView> candidates;
   std::vector<ConflictView> conflicts;
@@ -152,7 +154,7 @@ class Session {
   const std::optional<QuestionView>& question() const;  ///< in AwaitingAnswer
   const Outcome& outcome() const;                       ///< meaningful in Done
 
-  /// Answers candidates, asked or not, at any time after the analysis began to know them. Refused:
+  /// Answers candidates, asked or not, at any time once the models are read. Refused:
   /// a fluent answered already (revise() changes it), a specified one, one outside S^H.
   /// Answering part of an open question's fluents leaves the question open for the others, except
   /// that YES settles the rest of them as NO. Decline ends the dialogue.
@@ -167,6 +169,19 @@ class Session {
   /// `atoms` are all atoms that are true. Throws pddl::SemanticError naming an atom that the
   /// robot's model can't have; the session is then as it was.
   void setRobotState(const std::vector<GroundName>& atoms);
+
+  /// All atoms that are true for the robot; empty before the models are read.
+  std::vector<GroundName> robotState() const;
+
+  /// The robot's model: its predicates, objects and types, for who must know which facts there can
+  /// be. Null before the models are read; valid until begin().
+  const pddl::Model* robotModel() const;
+
+  /// Goes on under the limits and the unsure_policy of `options`; max_questions counts from here.
+  /// After an outcome that decided nothing (50, 53, 54, 60 to 62, 64) the work is taken up again
+  /// where it was left; a definite outcome stays. Throws std::invalid_argument like the
+  /// constructor.
+  void goOn(const Options& options);
 
   /// Nobody answered the open question in time: Done with NoAnswer. The answers given stay.
   void giveUpWaiting(const std::string& reason);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <set>
 #include <vector>
 
 #include "oracles/seeds.h"
@@ -35,6 +36,30 @@ RC_GTEST_PROP(AchievedSets, CoversExactlyTheSubsetsOfWhatWasAdded, ()) {
     for (const auto& b : achieved.all())
       RC_ASSERT(&a == &b || !a.set.is_subset_of(b.set));
   }
+}
+
+RC_GTEST_PROP(AchievedSets, AddingManyMaximalOnesIsAddingEach, ()) {
+  RandomSource random = oracles::anySource();
+  AchievedSets one_by_one;
+  AchievedSets together;
+  AchievedSets maximal;
+  for (int i = 0; i < 6; ++i) {
+    const CandidateSet old(6, random.below(64));
+    one_by_one.add(old, {});
+    together.add(old, {});
+    maximal.add(CandidateSet(6, random.below(64)), {});
+  }
+  for (const auto& achieved : maximal.all())
+    one_by_one.add(achieved.set, achieved.plan);
+  together.addMaximal(maximal.all());
+  const auto sets = [](const AchievedSets& achieved) {
+    std::set<CandidateSet> result;
+    for (const auto& entry : achieved.all())
+      result.insert(entry.set);
+    return result;
+  };
+  RC_ASSERT(sets(together) == sets(one_by_one));
+  RC_ASSERT(together.all().size() == one_by_one.all().size());
 }
 
 }  // namespace

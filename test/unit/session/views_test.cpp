@@ -16,6 +16,7 @@ namespace {
 
 using oracles::Hagl;
 using samples::atFirstQuestion;
+using samples::code;
 using samples::honest;
 using samples::literals;
 using samples::options;
@@ -43,6 +44,18 @@ TEST(Snapshot, FollowsTheDialogue) {
   EXPECT_EQ(states(session), (std::vector<int>{4, 6, 4, 3, 4, 6}));
   EXPECT_EQ(session.snapshot().state, State::Done);
   EXPECT_FLOAT_EQ(session.snapshot().progress, 1);
+}
+
+TEST(Snapshot, ShowsThatNothingIsLeftToAskAndAPlanIsMade) {
+  Session session = atFirstQuestion();
+  EXPECT_FALSE(session.snapshot().planning);
+  for (const CandidateView& candidate : session.snapshot().candidates)
+    session.answer({candidate.fluent}, AnswerKind::No, "me");
+  ASSERT_EQ(session.state(), State::Analysing);
+  EXPECT_TRUE(session.snapshot().planning);
+  think(session);
+  EXPECT_EQ(code(session), 1);
+  EXPECT_FALSE(session.snapshot().planning);
 }
 
 TEST(Snapshot, ShowsConflictsAndWhatIsLive) {
