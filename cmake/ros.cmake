@@ -9,7 +9,8 @@ endif()
 file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
 
 find_package(catkin REQUIRED COMPONENTS
-  actionlib actionlib_msgs diagnostic_msgs message_generation roscpp roslib std_msgs)
+  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater message_generation roscpp roslib std_msgs
+  std_srvs)
 
 add_message_files(DIRECTORY msg FILES
   ActionDispatch.msg ActionFeedback.msg AlignmentState.msg AlternativeGoal.msg Candidate.msg
@@ -22,7 +23,8 @@ generate_messages(DEPENDENCIES actionlib_msgs diagnostic_msgs std_msgs)
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES goal_alignment_core
-  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs message_runtime roscpp roslib std_msgs
+  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater message_runtime roscpp
+    roslib std_msgs std_srvs
   DEPENDS Boost)
 
 # The core was declared before catkin said where libraries go.
@@ -43,7 +45,7 @@ file(GLOB ros_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/ros_interface/
 add_library(goal_alignment_ros STATIC ${ros_sources})
 goal_alignment_ros_target(goal_alignment_ros)
 target_link_libraries(goal_alignment_ros PUBLIC goal_alignment_core ${catkin_LIBRARIES}
-  PRIVATE fmt::fmt yaml-cpp)
+  PRIVATE fmt::fmt nlohmann_json::nlohmann_json yaml-cpp)
 
 file(GLOB execution_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/execution/*.cpp)
 add_library(goal_alignment_execution STATIC ${execution_sources})

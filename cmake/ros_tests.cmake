@@ -18,6 +18,8 @@ goal_alignment_ros_target(goal_alignment_scenarios)
 target_compile_definitions(goal_alignment_scenarios PRIVATE
   NODE_FOLDER="${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION}")
 target_link_libraries(goal_alignment_scenarios ${catkin_LIBRARIES} GTest::gtest util)
+# Read once, not for every scenario: most of the build's time would go into ROS's headers.
+target_precompile_headers(goal_alignment_scenarios PRIVATE ${PROJECT_SOURCE_DIR}/test/ros/scenario.h)
 add_dependencies(tests goal_alignment_scenarios)
 
 file(GLOB scenarios CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/ros/*.test)

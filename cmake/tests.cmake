@@ -4,7 +4,8 @@ find_package(GTest REQUIRED)
 enable_testing()
 
 file(GLOB unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/unit/*/*_test.cpp
-  ${PROJECT_SOURCE_DIR}/test/oracles/*.cpp)
+  ${PROJECT_SOURCE_DIR}/test/oracles/*.cpp
+  ${PROJECT_SOURCE_DIR}/test/fuzz/*_fuzzer.cpp ${PROJECT_SOURCE_DIR}/test/fuzz/*_test.cpp)
 list(FILTER unit_tests EXCLUDE REGEX "/test/unit/(ros_interface|execution)/")
 add_executable(goal_alignment_unit_tests EXCLUDE_FROM_ALL ${unit_tests})
 # src, for the few classes that have no public header.
@@ -13,6 +14,8 @@ target_include_directories(goal_alignment_unit_tests PRIVATE
 target_compile_options(goal_alignment_unit_tests PRIVATE -Wall -Wextra -Wshadow)
 target_link_libraries(goal_alignment_unit_tests PRIVATE goal_alignment_core fmt::fmt yaml-cpp
   nlohmann_json::nlohmann_json rapidcheck GTest::gtest GTest::gtest_main)
+
+target_precompile_headers(goal_alignment_unit_tests PRIVATE <gtest/gtest.h> <rapidcheck/gtest.h>)
 
 # The command line is tested as what it is, a program.
 add_dependencies(goal_alignment_unit_tests hagl)

@@ -4,6 +4,7 @@
 #
 #     build/core    the core library, hagl and the unit tests, without ROS
 #     build/ros     the catkin package; its devel space is build/devel
+#     build/asan build/ros-asan build/tsan build/ros-tsan build/fuzz    for scripts/test --all
 #     build/logs    what the tools said
 
 root=$(cd "${BASH_SOURCE[0]%/*}/.." && pwd)
@@ -102,16 +103,19 @@ configureCore() { configure core -DGOAL_ALIGNMENT_ROS=OFF -DCMAKE_BUILD_TYPE=Rel
 
 # The catkin package; compile ros … follows.
 configureRos() {
-  configure ros -DCATKIN_DEVEL_PREFIX="$build/devel" -DCMAKE_BUILD_TYPE=Release "$@"
+  configure ros -DCATKIN_DEVEL_PREFIX="$build/devel" -DCMAKE_INSTALL_PREFIX="$build/install" \
+    -DCMAKE_BUILD_TYPE=Release "$@"
 }
 
-# useRos: the shell becomes one of the package's own ROS environment.
+# useRos [SPACE]: the shell becomes one of the package's own ROS environment, by default that of the
+# devel space.
 useRos() {
+  local space=${1-$build/devel}
   # No plugin of an rviz for ROS 2 may be found, and names resolve without a network.
   unset AMENT_PREFIX_PATH
   export ROS_HOSTNAME=${ROS_HOSTNAME:-localhost} ROS_HOME=${ROS_HOME:-$build/ros_home}
   set +u # catkin's own scripts read unset variables
   # shellcheck disable=SC1091  # made by the build
-  . "$build/devel/setup.bash"
+  . "$space/setup.bash"
   set -u
 }

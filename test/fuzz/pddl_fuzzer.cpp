@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
+#include <string>
+
+#include "goal_alignment/grounding/grounder.h"
+#include "goal_alignment/pddl/model.h"
+#include "promise.h"
+#include "targets.h"
+
+namespace goal_alignment::fuzz {
+
+namespace {
+
+// A line of its own, short enough to be hit upon and no PDDL.
+constexpr std::string_view kSeparator = "\n===\n";
+
+/// Every atom that a model holds has a name, and the name leads back to it.
+void checkNames(const pddl::Model& model) {
+  for (const pddl::Atom& atom : model.init) {
+    const GroundName name = model.name(atom);
+    const auto resolved = model.resolve(name);
+    promise(resolved && *resolved == atom, "the name resolves: " + name.text());
+    promise(toLower(model.spelling(name)) == name.text(), "spelling changes case only");
+  }
+  pddl::Model copy = model;
+  copy.setGoal(model.goalLiterals());
+  promise(copy.goal.size() == model.goal.size(), "a model takes its own goal");
+}
+
+/// A small text may name more ground actions than there are atoms in the world, so a short deadline
+/// is part of this.
+void groundShortly(const pddl::Model& model) {
+  constexpr double kSeconds = 0.02;
+  Limits limits = Limits{}.withSeconds(kSeconds);
+  limits.bytes = std::size_t{32} << 20U;
+  try {
+    const auto goal = model.goalLiterals();
+    const grounding::GroundTask ground = grounding::ground(model, goal, {}, limits);
+    for (const Literal& literal : goal) {
+      promise(ground.status(literal).kind != grounding::FactStatus::Kind::Unknown,
+              "grounding knows the goal's literals");
+    }
+  } catch (const LimitReached&) {
+  } catch (const pddl::SemanticError&) {
+    // A cost without a value shows only now, and stands nowhere in particular.
+  }
+}
+
+}  // namespace
+
+void pddl(std::string_view bytes) {
+  const std::size_t at = bytes.find(kSeparator);
+  const bool two = at != std::string_view::npos;
+  const pddl::Source domain{"d.pddl", std::string(bytes.substr(0, at))};
+  const pddl::Source problem{"p.pddl",
+                             std::string(two ? bytes.substr(at + kSeparator.size()) : bytes)};
+
+  const auto faults = pddl::faults(domain, problem);
+  std::optional<pddl::Model> model;
+  const bool read = isRead([&] { model = pddl::readModel(domain, problem); });
+  promise(read == faults.empty(), "faults() and readModel() agree");
+  if (!model) return;
+  checkNames(*model);
+  groundShortly(*model);
+}
+
+}  // namespace goal_alignment::fuzz
