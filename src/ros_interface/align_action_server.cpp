@@ -8,9 +8,9 @@
 namespace goal_alignment::ros_interface {
 namespace {
 
-constexpr std::uint32_t kQueueSize = 50;
-constexpr double kStatusPeriod = 0.2;  // seconds, as actionlib's
-constexpr double kStatusKept = 5.0;    // seconds, as actionlib's
+constexpr std::uint32_t kQueueSize = 1000;  // a goal that is dropped never ends for its client
+constexpr double kStatusPeriod = 0.2;       // seconds, as actionlib's
+constexpr double kStatusKept = 5.0;         // seconds, as actionlib's
 
 }  // namespace
 

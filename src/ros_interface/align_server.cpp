@@ -21,6 +21,10 @@ AlignServer::AlignServer(const ros::NodeHandle& private_node, AlignmentRunner& r
 }
 
 AlignServer::~AlignServer() {
+  endGoals();
+}
+
+void AlignServer::endGoals() {
   Ticket next;
   Ticket current;
   {
@@ -32,7 +36,7 @@ AlignServer::~AlignServer() {
   changed_.notify_all();
   if (next) end(next, "the node shuts down");
   if (current) end(current, "the node shuts down");
-  solver_.join();
+  if (solver_.joinable()) solver_.join();
 }
 
 void AlignServer::submit(const AlignGoal& goal, const std::string& origin) {

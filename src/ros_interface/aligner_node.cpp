@@ -4,6 +4,8 @@
 #include <ros/advertise_service_options.h>
 #include <ros/console.h>
 
+#include <chrono>
+
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 #include "goal_alignment/ros_interface/node_options.h"
@@ -13,49 +15,64 @@ namespace goal_alignment::ros_interface {
 namespace {
 
 constexpr std::uint32_t kTaskQueueSize = 10;
+constexpr std::uint32_t kExplainThreads = 2;  // each may wait for a reason to come up
+
+std::string stateFolder() {
+  return rosHome() + "/" + kStateFolder;
+}
 
 QuestionIds questionIds() {
-  QuestionIds ids(rosHome() + "/" + kStateFolder + "/question_id");
+  QuestionIds ids(stateFolder() + "/question_id");
   if (!ids.trouble().empty()) {
     ROS_WARN("question ids may repeat after a restart: %s", ids.trouble().c_str());
   }
   return ids;
 }
 
-ros::ServiceServer advertiseValidate(ros::NodeHandle& node, ros::CallbackQueue& queue,
-                                     AlignerNode* object,
-                                     bool (AlignerNode::*method)(Validate::Request&,
-                                                                 Validate::Response&)) {
-  ros::AdvertiseServiceOptions options;
-  options.init<Validate::Request, Validate::Response>(
-      kValidateService, [object, method](Validate::Request& request, Validate::Response& response) {
-        return (object->*method)(request, response);
-      });
-  options.callback_queue = &queue;
-  return node.advertiseService(options);
-}
-
 }  // namespace
+
+template <typename Service>
+ros::ServiceServer AlignerNode::advertise(
+    const char* name, ros::CallbackQueue& queue,
+    bool (AlignerNode::*method)(typename Service::Request&, typename Service::Response&)) {
+  using Request = typename Service::Request;
+  using Response = typename Service::Response;
+  ros::AdvertiseServiceOptions options;
+  options.init<Request, Response>(name, [this, method](Request& request, Response& response) {
+    return (this->*method)(request, response);
+  });
+  options.callback_queue = &queue;
+  return private_node_.advertiseService(options);
+}
 
 AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
     : private_node_(private_node),
       announcer_(private_node),
+      journal_(stateFolder() + "/journal",
+               [](const std::string& line) { ROS_WARN("%s", line.c_str()); }),
+      diagnostics_(node, private_node, announcer_, journal_),
       bridge_(questionIds()),
       ask_human_(
-          node, [this](const Answer::Request& request) { return bridge_.submit(request); },
+          node, [this](const Answer::Request& request) { return submit(request); },
           [this](const std::string& complaint) { announcer_.tell(complaint); }),
-      runner_(private_node, announcer_, bridge_, ask_human_),
+      runner_(private_node, {announcer_, bridge_, ask_human_, journal_, facts_, explainer_}),
       align_(private_node, runner_),
       tasks_(node.subscribe(kHumanTaskTopic, kTaskQueueSize, &AlignerNode::takeTask, this)),
       answer_service_(private_node.advertiseService(kAnswerService, &AlignerNode::answer, this)),
       revise_service_(
           private_node.advertiseService(kReviseAnswerService, &AlignerNode::reviseAnswer, this)),
       state_service_(private_node.advertiseService(kGetStateService, &AlignerNode::getState, this)),
+      forget_service_(private_node.advertiseService(kForgetService, &AlignerNode::forget, this)),
+      facts_service_(private_node.advertiseService(kSetFactsService, &AlignerNode::setFacts, this)),
       validate_service_(
-          advertiseValidate(private_node, slow_callbacks_, this, &AlignerNode::validate)),
-      slow_spinner_(1, &slow_callbacks_) {
+          advertise<Validate>(kValidateService, validate_callbacks_, &AlignerNode::validate)),
+      explain_service_(
+          advertise<Explain>(kExplainService, explain_callbacks_, &AlignerNode::explain)),
+      validate_spinner_(1, &validate_callbacks_),
+      explain_spinner_(kExplainThreads, &explain_callbacks_) {
   checkParameters();
-  slow_spinner_.start();
+  validate_spinner_.start();
+  explain_spinner_.start();
 }
 
 // A faulty parameter is told at the start, though only the next goal would be refused for it.
@@ -81,8 +98,14 @@ void AlignerNode::takeTask(const HumanTask::ConstPtr& task) {
   align_.submit(goal, kHumanTaskTopic);
 }
 
-bool AlignerNode::answer(Answer::Request& request, Answer::Response& response) {
+session::Receipt AlignerNode::submit(const Answer::Request& request) {
   const session::Receipt receipt = bridge_.submit(request);
+  if (receipt.accepted) diagnostics_.countAnswer(request.answered_by);
+  return receipt;
+}
+
+bool AlignerNode::answer(Answer::Request& request, Answer::Response& response) {
+  const session::Receipt receipt = submit(request);
   response.accepted = receipt.accepted;
   response.message = receipt.message;
   return true;
@@ -92,6 +115,7 @@ bool AlignerNode::reviseAnswer(Answer::Request& request, Answer::Response& respo
   const QuestionBridge::Revision revision = bridge_.revise(request);
   response.accepted = revision.receipt.accepted;
   response.message = revision.receipt.message;
+  if (revision.receipt.accepted) diagnostics_.countAnswer(request.answered_by);
   // After an outcome the session goes on with a goal of its own, which takes the answer up.
   if (revision.receipt.accepted && !revision.continue_session.empty()) {
     AlignGoal goal;
@@ -110,6 +134,27 @@ bool AlignerNode::getState(GetState::Request& /*request*/, GetState::Response& r
 bool AlignerNode::validate(Validate::Request& request, Validate::Response& response) {
   response.errors = pddl::faults({"domain", request.domain}, {"problem", request.problem});
   response.valid = response.errors.empty();
+  return true;
+}
+
+bool AlignerNode::explain(Explain::Request& request, Explain::Response& response) {
+  response = explainer_.explain(request, std::chrono::duration<double>(kExplainSeconds));
+  return true;
+}
+
+bool AlignerNode::forget(std_srvs::Trigger::Request& /*request*/,
+                         std_srvs::Trigger::Response& response) {
+  response.success = journal_.forget();
+  response.message = response.success ? "the answers of the current task are not kept on disk"
+                                      : "there is no task to forget";
+  return true;
+}
+
+bool AlignerNode::setFacts(SetFacts::Request& request, SetFacts::Response& response) {
+  const session::Receipt receipt = facts_.set(request.facts);
+  response.accepted = receipt.accepted;
+  response.message = receipt.message;
+  if (receipt.accepted) bridge_.nudge();
   return true;
 }
 

@@ -2,6 +2,8 @@
 // What the runner says about the session under way.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "goal_alignment/ros_interface/alignment_runner.h"
 
 namespace goal_alignment::ros_interface {
@@ -23,6 +25,17 @@ void AlignmentRunner::report(GoalTicket& ticket, const std::string& message) {
   feedback.max_remaining = state.max_remaining;
   ticket.publishFeedback(feedback);
   ticket.setInterim(figures());
+}
+
+void AlignmentRunner::showToExplainer() {
+  Explained explained;
+  explained.snapshot = kept_.session->snapshot();
+  if (const auto& question = kept_.session->question()) explained.open_question = question->fluents;
+  if (explained.snapshot.state == session::State::Done) {
+    explained.outcome_conflict = kept_.session->outcome().conflict;
+  }
+  explained.phrases = kept_.phrases;
+  explainer_.show(std::move(explained));
 }
 
 AlignmentState AlignmentRunner::stateMessage(const std::string& message) const {

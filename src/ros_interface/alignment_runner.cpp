@@ -22,6 +22,12 @@ using session::CandidateState;
 using session::OutcomeCode;
 using session::State;
 
+// Two fields of a goal that can't both be meant.
+class ContradictionError : public GoalError {
+ public:
+  using GoalError::GoalError;
+};
+
 const char* wordFor(AnswerKind kind) {
   switch (kind) {
     case AnswerKind::No:
@@ -36,6 +42,21 @@ const char* wordFor(AnswerKind kind) {
   return "";
 }
 
+// The dialogue has come to its end, so there is nothing to take up again after a crash.
+bool isDecided(OutcomeCode code) {
+  switch (code) {
+    case OutcomeCode::Canceled:
+    case OutcomeCode::TimeLimit:
+    case OutcomeCode::MemoryLimit:
+    case OutcomeCode::NoAnswer:
+    case OutcomeCode::QuestionLimit:
+    case OutcomeCode::Internal:
+      return false;
+    default:
+      return true;
+  }
+}
+
 session::Outcome invalidInput(const std::exception& error) {
   session::Outcome outcome;
   outcome.code = OutcomeCode::InvalidModel;
@@ -45,12 +66,14 @@ session::Outcome invalidInput(const std::exception& error) {
 
 }  // namespace
 
-AlignmentRunner::AlignmentRunner(ros::NodeHandle private_node, Announcer& announcer,
-                                 QuestionBridge& bridge, AskHumanClient& ask_human)
+AlignmentRunner::AlignmentRunner(ros::NodeHandle private_node, const Parts& parts)
     : private_node_(std::move(private_node)),
-      announcer_(announcer),
-      bridge_(bridge),
-      ask_human_(ask_human) {}
+      announcer_(parts.announcer),
+      bridge_(parts.bridge),
+      ask_human_(parts.ask_human),
+      journal_(parts.journal),
+      facts_(parts.facts),
+      explainer_(parts.explainer) {}
 
 bool AlignmentRunner::stop(GoalTicket& ticket) {
   {
@@ -65,6 +88,10 @@ bool AlignmentRunner::stop(GoalTicket& ticket) {
 void AlignmentRunner::run(GoalTicket& ticket) {
   try {
     prepare(ticket.goal());
+  } catch (const ContradictionError& error) {
+    session::Outcome outcome = invalidInput(error);
+    outcome.code = OutcomeCode::Contradiction;
+    return refuse(ticket, outcome);
   } catch (const GoalError& error) {
     return refuse(ticket, invalidInput(error));
   } catch (const ParameterError& error) {
@@ -108,11 +135,14 @@ void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
     throw GoalError("revised_wanted and revised_not_wanted need continue_session");
   }
   auto session = std::make_shared<session::Session>(optionsOf(goal, options));
-  session->begin(inputOf(goal, options));
+  session::Input input = inputOf(goal, options);
+  const std::string key = journalKey(input, goal.task.person);
+  session->begin(std::move(input));
   Kept kept;
   kept.id = boost::uuids::to_string(boost::uuids::random_generator()());
   kept.person = goal.task.person;
   kept.task_id = goal.task.task_id;
+  kept.ends_when_unsure = goal.unsure_policy == AlignGoal::ABORT;
   try {
     kept.phrases = phrasesOf(options);
   } catch (const std::exception& error) {
@@ -120,23 +150,30 @@ void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
     announcer_.tell(fmt::format("no phrases: {}", error.what()));
   }
   kept.session = std::move(session);
+  kept.journaled = journal_.open(key, options.journal_expiry);
   kept_ = std::move(kept);
+  facts_.beginSession(goal.source == AlignGoal::PARAMS);
   bridge_.beginSession(kept_.id);
 }
 
 void AlignmentRunner::continueSession(const AlignGoal& goal, const NodeOptions& options) {
-  (void)optionsOf(goal, options);  // refuses what a new session would refuse
+  const session::Options session_options = optionsOf(goal, options);
   if (!kept_.session || goal.continue_session != kept_.id) {
     throw GoalError(fmt::format("continue_session: there is no session '{:.60}' to go on with",
                                 goal.continue_session));
   }
   const auto wanted = candidatesOf(goal.revised_wanted, "revised_wanted");
   const auto not_wanted = candidatesOf(goal.revised_not_wanted, "revised_not_wanted");
+  for (const Literal& fluent : wanted) {
+    if (std::find(not_wanted.begin(), not_wanted.end(), fluent) == not_wanted.end()) continue;
+    throw ContradictionError(fluent.text() + " is in revised_wanted and in revised_not_wanted");
+  }
   const auto& statistics = kept_.session->statistics();
   kept_.thinking_before = statistics.total;
   kept_.calls_before = statistics.planner_calls;
   kept_.questions_before = kept_.session->snapshot().questions_asked;
   kept_.waiting_time = 0;
+  kept_.session->goOn(session_options);
   bridge_.beginSession(kept_.id);
   bridge_.update(kept_.session->snapshot());
   if (!wanted.empty()) apply({wanted, AnswerKind::Yes, goal.task.person, 0});
@@ -174,8 +211,8 @@ void AlignmentRunner::loop(GoalTicket& ticket) {
   report(ticket, "");
   while (!ticket.ended()) {
     applyAnswers();
-    const State state = kept_.session->step();
-    bridge_.update(kept_.session->snapshot());
+    takeUpFacts();
+    const State state = step();
     if (state == State::Done && hasEnded()) break;
     if (state == State::AwaitingAnswer) {
       waitForAnswer(ticket);
@@ -185,6 +222,60 @@ void AlignmentRunner::loop(GoalTicket& ticket) {
   }
   closeQuestion();
   bridge_.endSession();
+}
+
+session::State AlignmentRunner::step() {
+  const auto began = Clock::now();
+  const State state = kept_.session->step();
+  const std::chrono::duration<double> took = Clock::now() - began;
+  ROS_DEBUG("a step of %.3f s led to phase %d", took.count(), int{phaseOf(state)});
+  if (!kept_.models_known && kept_.session->robotModel() != nullptr) takeUpModels();
+  bridge_.update(kept_.session->snapshot());
+  showToExplainer();
+  return kept_.session->state();
+}
+
+// Once, as soon as the models are read.
+void AlignmentRunner::takeUpModels() {
+  kept_.models_known = true;
+  facts_.setModel(*kept_.session->robotModel());
+  takeUpJournal();
+}
+
+// What was answered before the dialogue was broken off, perhaps by a crash, is not asked again.
+void AlignmentRunner::takeUpJournal() {
+  std::vector<Literal> known;
+  for (const JournalAnswer& answer : std::exchange(kept_.journaled, {})) {
+    // Under this policy "don't know" would end the dialogue before it begins.
+    const bool useless = answer.kind == AnswerKind::Unsure && kept_.ends_when_unsure;
+    if (useless || isAnswered(answer.fluent)) continue;
+    const auto receipt = kept_.session->answer({answer.fluent}, answer.kind, answer.answered_by);
+    if (!receipt.accepted) {
+      ROS_WARN("an answer of the journal is left out: %s", receipt.message.c_str());
+      continue;
+    }
+    kept_.times[answer.fluent] = answer.at;
+    known.push_back(answer.fluent);
+  }
+  if (known.empty()) return;
+  announcer_.tell(fmt::format("answered before this dialogue was broken off: {}", spoken(known)));
+}
+
+void AlignmentRunner::takeUpFacts() {
+  if (!kept_.models_known || kept_.facts_seen == facts_.version()) return;
+  kept_.facts_seen = facts_.version();
+  std::vector<GroundName> left_out;
+  std::vector<GroundName> before = kept_.session->robotState();
+  std::sort(before.begin(), before.end());
+  std::vector<GroundName> now = facts_.overlaid(before, left_out);
+  for (const GroundName& fact : left_out) {
+    if (!kept_.told_left_out.insert(fact).second) continue;
+    announcer_.tell(
+        fmt::format("the fact {} is left out: this robot's model does not know it", fact.text()));
+  }
+  if (now == before) return;
+  kept_.session->setRobotState(now);
+  announcer_.tell("the robot's state has changed: I think again");
 }
 
 // An answer that came in while the last step ran was accepted, so it has to count.
@@ -222,10 +313,30 @@ session::Receipt AlignmentRunner::apply(const AcceptedAnswer& answer) {
   if (!receipt.accepted) return receipt;
   for (const Literal& fluent : answer.fluents)
     kept_.times[fluent] = stampNow();
+  kept_.silences = 0;
+  writeJournal();
   announcer_.tell(fmt::format(
       "answer{}: {}{}", answer.answered_by.empty() ? "" : " from " + answer.answered_by,
       wordFor(answer.kind), answer.fluents.empty() ? "" : ": " + spoken(answer.fluents)));
   return receipt;
+}
+
+void AlignmentRunner::writeJournal() const {
+  std::vector<JournalAnswer> answers;
+  for (const auto& candidate : kept_.session->snapshot().candidates) {
+    const auto time = kept_.times.find(candidate.fluent);
+    JournalAnswer answer{candidate.fluent, AnswerKind::No, candidate.answered_by,
+                         time == kept_.times.end() ? ros::Time() : time->second};
+    if (candidate.state == CandidateState::Wanted) {
+      answer.kind = AnswerKind::Yes;
+    } else if (candidate.state == CandidateState::Unsure) {
+      answer.kind = AnswerKind::Unsure;
+    } else if (candidate.state != CandidateState::NotWanted) {
+      continue;
+    }
+    answers.push_back(std::move(answer));
+  }
+  if (!answers.empty()) journal_.write(answers);
 }
 
 bool AlignmentRunner::isAnswered(const Literal& fluent) const {
@@ -239,23 +350,33 @@ bool AlignmentRunner::isAnswered(const Literal& fluent) const {
 }
 
 void AlignmentRunner::waitForAnswer(GoalTicket& ticket) {
-  const auto& fluents = kept_.session->question()->fluents;
+  const session::QuestionView& view = *kept_.session->question();
+  // A new world may give an old question a new reason.
   const bool same = open_.question_id != 0 && bridge_.openId() == open_.question_id &&
-                    open_fluents_ == std::set<Literal>(fluents.begin(), fluents.end());
-  if (!same) openQuestion(ticket);
-  const double timeout = kept_.options.ask_timeout;
+                    open_fluents_ == std::set<Literal>(view.fluents.begin(), view.fluents.end()) &&
+                    open_.why == kept_.phrases.reason(view.conflict, view.conflict_proven);
   const auto began = Clock::now();
-  const auto deadline = timeout <= 0 ? Clock::time_point::max()
-                                     : began + std::chrono::duration_cast<Clock::duration>(
-                                                   std::chrono::duration<double>(timeout));
-  const QuestionBridge::Wake wake = bridge_.wait(deadline);
+  if (!same) openQuestion(ticket);
+  const QuestionBridge::Wake wake = bridge_.wait(open_until_);
   const std::chrono::duration<double> waited = Clock::now() - began;
   kept_.waiting_time += waited.count();
-  if (wake == QuestionBridge::Wake::TimedOut) {
-    kept_.session->giveUpWaiting(fmt::format("nobody answered within {} s", timeout));
-  }
+  if (wake == QuestionBridge::Wake::TimedOut) treatSilence();
   // Dialogue nodes leave the question at once, not only when the next one is known.
   if (bridge_.openId() != open_.question_id) closeQuestion();
+}
+
+// A question put again has a new id, so that a dialogue node leaves the old call.
+void AlignmentRunner::treatSilence() {
+  const auto tries = static_cast<unsigned>(kept_.options.ask_retries) + 1;
+  if (++kept_.silences < tries) {
+    announcer_.tell(fmt::format("no answer to question {}; it is put again", open_.question_id));
+    closeQuestion();
+    return;
+  }
+  const double timeout = kept_.options.ask_timeout;
+  kept_.session->giveUpWaiting(
+      tries == 1 ? fmt::format("nobody answered within {} s", timeout)
+                 : fmt::format("nobody answered {} times within {} s", tries, timeout));
 }
 
 void AlignmentRunner::openQuestion(GoalTicket& ticket) {
@@ -265,7 +386,10 @@ void AlignmentRunner::openQuestion(GoalTicket& ticket) {
   open_.session_id = kept_.id;
   open_.person = kept_.person;
   open_.question_id = bridge_.open(view.fluents);
+  open_until_ = Clock::time_point::max();
   if (kept_.options.ask_timeout > 0) {
+    const std::chrono::duration<double> timeout(kept_.options.ask_timeout);
+    open_until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
     open_.expires = stampNow() + ros::Duration(kept_.options.ask_timeout);
   }
   // First of all the result that a cancel would take: it may come as soon as the question is seen.
@@ -321,6 +445,8 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
     result.plan.header.stamp = stampNow();
     announcer_.publish(result.plan);
   }
+  if (isDecided(outcome.code)) journal_.drop();
+  showToExplainer();
   AlignmentState state = stateMessage(outcome.message);
   state.phase = AlignmentState::DONE;
   state.outcome = result.outcome;
@@ -339,6 +465,15 @@ void AlignmentRunner::refuse(GoalTicket& ticket, const session::Outcome& outcome
   AlignResult result = ticket.interim();
   result.outcome = static_cast<std::uint16_t>(outcome.code);
   result.message = outcome.message;
+  // Who sent the task by topic sees no result. A session that could not go on stays as it was.
+  if (ticket.goal().continue_session.empty()) {
+    AlignmentState state;
+    state.phase = AlignmentState::DONE;
+    state.session_id = result.session_id;
+    state.outcome = result.outcome;
+    state.message = result.message;
+    announcer_.publish(state);
+  }
   ticket.conclude(result);
 }
 

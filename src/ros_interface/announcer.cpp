@@ -5,6 +5,7 @@
 #include <std_msgs/String.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "goal_alignment/ros_interface/node_constants.h"
@@ -17,6 +18,8 @@ Announcer::Announcer(ros::NodeHandle private_node)
       plans_(private_node.advertise<Plan>(kPlanTopic, kStateQueueSize, true)),
       questions_(private_node.advertise<Question>(kQuestionTopic, kStateQueueSize, true)),
       events_(private_node.advertise<std_msgs::String>(kEventsTopic, kEventQueueSize)) {
+  // roscpp counts from 0.
+  state_.header.seq = question_.header.seq = std::numeric_limits<std::uint32_t>::max();
   publish(AlignmentState{});
   publishNoQuestion();
 }
@@ -38,9 +41,10 @@ void Announcer::publish(Plan plan) {
 Question Announcer::publish(Question question) {
   const std::lock_guard<std::mutex> lock(mutex_);
   question.header.stamp = stampNow();
-  question.header.seq = ++question_seq_;
-  questions_.publish(question);
-  return question;
+  question.header.seq = question_.header.seq + 1;
+  question_ = std::move(question);
+  questions_.publish(question_);
+  return question_;
 }
 
 void Announcer::publishNoQuestion() {
@@ -53,6 +57,11 @@ void Announcer::tell(const std::string& line) {
   std::replace(message.data.begin(), message.data.end(), '\n', ' ');
   events_.publish(message);
   ROS_INFO("%s", message.data.c_str());
+}
+
+Question Announcer::question() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return question_;
 }
 
 AlignmentState Announcer::state() const {

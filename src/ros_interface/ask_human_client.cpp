@@ -23,7 +23,7 @@ constexpr std::chrono::seconds kPatienceAtTheEnd{2};
 }  // namespace
 
 struct AskHumanClient::Shared {
-  ros::NodeHandle node;
+  std::optional<ros::NodeHandle> node;  // gone before `finished`: roscpp must outlive it
   Deliver deliver;
   Complain complain;
 
@@ -76,11 +76,12 @@ void AskHumanClient::Shared::run() {
     AskHuman call;
     call.request.question = *asked;
     // Not persistent: the next call may go to another node.
-    const bool answered = ros::service::exists(node.resolveName(kAskHumanService), false) &&
-                          node.serviceClient<AskHuman>(kAskHumanService).call(call);
+    const bool answered = ros::service::exists(node->resolveName(kAskHumanService), false) &&
+                          node->serviceClient<AskHuman>(kAskHumanService).call(call);
     if (answered) treat(*asked, call.response);
     pause(*asked);
   }
+  node.reset();
   const std::lock_guard<std::mutex> lock(mutex);
   finished = true;
   changed.notify_all();
@@ -106,7 +107,7 @@ void AskHumanClient::Shared::treat(const Question& asked, const AskHuman::Respon
   request.answered_by = response.answered_by;
   const session::Receipt receipt = deliver(request);
   if (!receipt.accepted) {
-    complain(fmt::format("an answer from {} was refused: {}", node.resolveName(kAskHumanService),
+    complain(fmt::format("an answer from {} was refused: {}", node->resolveName(kAskHumanService),
                          receipt.message));
     return;
   }

@@ -8,6 +8,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "goal_alignment/common/quote.h"
+
 namespace goal_alignment::ros_interface {
 namespace {
 
@@ -18,7 +20,7 @@ bool isNameCharacter(unsigned char c) {
 std::string nameOf(const std::string& text, const std::string& what) {
   if (text.empty()) throw std::invalid_argument(what + " is empty");
   if (!std::all_of(text.begin(), text.end(), isNameCharacter)) {
-    throw std::invalid_argument(fmt::format("{} '{:.60}' is no PDDL name", what, text));
+    throw std::invalid_argument(fmt::format("{} {} is no PDDL name", what, inQuotes(text)));
   }
   return toLower(text);
 }
@@ -97,8 +99,10 @@ std::vector<GroundName> toActions(const std::vector<PlanStep>& steps, const std:
 }
 
 std::vector<Literal> toLiterals(const std::vector<std::string>& texts) {
-  return convertAll<Literal>(texts, "fluents",
-                             [](const std::string& text) { return Literal::parse(text); });
+  return convertAll<Literal>(texts, "fluents", [](const std::string& text) {
+    const Literal literal = Literal::parse(text);
+    return Literal{toGroundName(literal.atom.name, literal.atom.arguments), literal.negated};
+  });
 }
 
 Fluent toMessage(const Literal& literal, const phrasing::Phrases& phrases) {
@@ -167,7 +171,7 @@ AlternativeGoal toMessage(const session::Alternative& alternative,
 AlignmentState toMessage(const session::Snapshot& snapshot, const phrasing::Phrases& phrases,
                          const AnswerTimes& times) {
   AlignmentState message;
-  message.phase = phaseOf(snapshot.state);
+  message.phase = snapshot.planning ? AlignmentState::PLANNING : phaseOf(snapshot.state);
   message.progress = snapshot.progress;
   message.specified = toMessage(snapshot.specified, phrases);
   for (const auto& view : snapshot.candidates) {

@@ -17,6 +17,8 @@ constexpr double kDefaultTimeLimit = 300;      // seconds
 constexpr int kDefaultMemoryLimit = 2048;      // MiB
 constexpr double kLongestAskTimeout = 604800;  // a week
 constexpr double kLongestTimeLimit = 86400;
+constexpr double kLongestExpiry = 31536000;  // a year
+constexpr int kMostRetries = 1000;
 
 void readBelief(ParameterReader& reader, alignment::BeliefOptions& belief) {
   std::string mode = "normalised";
@@ -86,6 +88,9 @@ NodeOptions NodeOptions::read(const XmlRpc::XmlRpcValue& values, const std::stri
   reader.read("phrases", options.phrases);
   readSession(reader, options.session);
   reader.read("ask_timeout", options.ask_timeout, 0, kLongestAskTimeout);
+  reader.read("ask_retries", options.ask_retries, 0, kMostRetries);
+  reader.read("journal_expiry", options.journal_expiry, 0, kLongestExpiry);
+  reader.read("diagnostic_period", options.diagnostic_period, 0.01, 3600);
   options.unknown = reader.unknown();
   return options;
 }

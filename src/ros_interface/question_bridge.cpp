@@ -103,7 +103,9 @@ std::uint32_t QuestionBridge::open(const std::vector<Literal>& fluents) {
   question.opened = now_();
   const bool same_dialogue = last_closed_ && last_session_ == session_id_;
   const bool vanished = last_closed_ && !last_answered_ && question.opened - *last_closed_ < kGrace;
-  question.replaced_another = same_dialogue || vanished;
+  // The same question put once more is the one that was read.
+  const bool another = last_session_ != session_id_ || last_fluents_ != question.fluents;
+  question.replaced_another = another && (same_dialogue || vanished);
   open_ = std::move(question);
   return open_->id;
 }
@@ -115,6 +117,7 @@ void QuestionBridge::close() {
 
 void QuestionBridge::closeOpen(bool answered) {
   if (!open_) return;
+  last_fluents_ = std::move(open_->fluents);
   open_.reset();
   last_answered_ = answered;
   last_session_ = session_id_;
@@ -128,14 +131,24 @@ std::vector<AcceptedAnswer> QuestionBridge::take() {
 
 QuestionBridge::Wake QuestionBridge::wait(Clock::time_point deadline) {
   std::unique_lock<std::mutex> lock(mutex_);
-  const auto woken = [this] { return interrupted_ || !accepted_.empty(); };
+  const auto woken = [this] { return interrupted_ || nudged_ || !accepted_.empty(); };
   // wait_until() with the largest time point overflows in some standard libraries.
   if (deadline == Clock::time_point::max()) {
     changed_.wait(lock, woken);
   } else if (!changed_.wait_until(lock, deadline, woken)) {
     return Wake::TimedOut;
   }
-  return interrupted_ ? Wake::Interrupt : Wake::Answer;
+  const bool interrupted = std::exchange(interrupted_, false);
+  const bool nudged = std::exchange(nudged_, false);
+  return interrupted ? Wake::Interrupt : nudged ? Wake::News : Wake::Answer;
+}
+
+void QuestionBridge::nudge() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    nudged_ = true;
+  }
+  changed_.notify_all();
 }
 
 void QuestionBridge::interrupt() {

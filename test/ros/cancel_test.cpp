@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How goals end that nobody wants any more: every end carries a filled result.
-#include <actionlib_msgs/GoalID.h>
-
 #include "goal_alignment/GetState.h"
-#include "scenario.h"
+#include "goals_by_hand.h"
 
 namespace goal_alignment::test {
 namespace {
@@ -11,58 +9,7 @@ namespace {
 using State = actionlib::SimpleClientGoalState;
 using actionlib_msgs::GoalStatus;
 
-class Cancel : public Scenario {
- protected:
-  Cancel()
-      : results_(node_, "/goal_alignment/align/result"),
-        goals_(node_.advertise<AlignActionGoal>("/goal_alignment/align/goal", 10)),
-        cancels_(node_.advertise<actionlib_msgs::GoalID>("/goal_alignment/align/cancel", 10)) {}
-
-  void SetUp() override {
-    Scenario::SetUp();
-    ASSERT_TRUE(eventually(
-        [this] { return goals_.getNumSubscribers() > 0 && cancels_.getNumSubscribers() > 0; }));
-  }
-
-  // A goal by hand, with an id of its own; SimpleActionClient remembers one at a time only.
-  std::string send(const AlignGoal& goal) {
-    AlignActionGoal message;
-    message.goal_id.id = newId();
-    message.goal_id.stamp = ros::Time::now();
-    message.goal = goal;
-    goals_.publish(message);
-    return message.goal_id.id;
-  }
-
-  static std::string newId() {
-    static int number = 0;
-    return "cancel_test-" + std::to_string(++number);
-  }
-
-  void cancel(const std::string& id) {
-    actionlib_msgs::GoalID message;
-    message.id = id;
-    cancels_.publish(message);
-  }
-
-  AlignActionResult resultOf(const std::string& id) {
-    const auto result = results_.waitFor(
-        [&](const AlignActionResult& shown) { return shown.status.goal_id.id == id; });
-    EXPECT_TRUE(result) << "no result for " << id;
-    return result.value_or(AlignActionResult{});
-  }
-
-  void expectCanceled(const AlignActionResult& result, int status) {
-    EXPECT_EQ(int{result.status.status}, status);
-    EXPECT_EQ(result.result.outcome, AlignResult::CANCELED);
-    EXPECT_FALSE(result.result.message.empty());
-    EXPECT_EQ(result.result.failing_step, -1);
-  }
-
-  Topic<AlignActionResult> results_;
-  ros::Publisher goals_;
-  ros::Publisher cancels_;
-};
+class Cancel : public GoalsByHand {};
 
 TEST_F(Cancel, whileAQuestionIsOpen) {
   const Question question = sendAndAwaitQuestion(sweepHall());
@@ -94,7 +41,7 @@ TEST_F(Cancel, arrivingWithTheGoal) {
     const bool ended = result.status.status == GoalStatus::PREEMPTED ||
                        result.status.status == GoalStatus::RECALLED;
     EXPECT_TRUE(ended) << int{result.status.status};
-    EXPECT_EQ(result.result.outcome, AlignResult::CANCELED);
+    expectCanceled(result, result.status.status);
   }
 }
 
@@ -128,6 +75,17 @@ TEST_F(Cancel, byANewerGoal) {
   expectCanceled(displaced, GoalStatus::PREEMPTED);
   EXPECT_EQ(displaced.result.message, "displaced by a newer goal");
   EXPECT_EQ(displaced.result.session_id, question.session_id);
+}
+
+TEST_F(Cancel, afterTheEndChangesNothing) {
+  const std::string id = send(sweepSilently());
+  EXPECT_EQ(int{resultOf(id).status.status}, GoalStatus::SUCCEEDED);
+  cancel(id);
+  cancel(id);
+  cancel(newId());  // of a goal that nobody sent
+  const std::string next = send(sweepSilently());
+  EXPECT_EQ(int{resultOf(next).status.status}, GoalStatus::SUCCEEDED);
+  EXPECT_EQ(resultsOf(id), 1U);
 }
 
 TEST_F(Cancel, ofAllGoalsAtOnce) {

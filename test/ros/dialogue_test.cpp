@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Dialogue nodes that are quick, slow, hanging, dying, and late.
+#include <std_msgs/String.h>
+
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <future>
 #include <mutex>
 #include <vector>
 
+#include "generated_tasks.h"
 #include "goal_alignment/AskHuman.h"
 #include "scenario.h"
 
@@ -164,6 +168,141 @@ TEST_F(HangingDialogue, thatComesLaterIsAskedThen) {
   advertise();
   EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
   EXPECT_EQ(asked_.front(), question.question_id);
+}
+
+// However many questions come and go while it hangs, it has one call to answer.
+TEST_F(HangingDialogue, isNotFloodedByTheQuestionsThatPass) {
+  constexpr int kRooms = 12;
+  Question question = sendAndAwaitQuestion(sweepRooms(kRooms));
+  const std::uint32_t first = question.question_id;
+  ASSERT_TRUE(wasAsked(first));
+  for (int room = 1; room < kRooms; ++room) {
+    EXPECT_TRUE(answer(Answer::Request::NO, question.question_id).accepted);
+    question = awaitQuestionAfter(question.question_id);
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    EXPECT_EQ(asked_, std::vector<std::uint32_t>{first});
+  }
+  release(AskHuman::Response::YES);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS) << "the YES came too late";
+  const std::lock_guard<std::mutex> lock(mutex_);
+  EXPECT_EQ(asked_, (std::vector<std::uint32_t>{first, question.question_id}));
+  EXPECT_EQ(most_, 1);
+}
+
+// A dialogue node inside the test that answers as no dialogue should.
+class OddDialogue : public Scenario {
+ protected:
+  using Reply = std::function<AskHuman::Response(const Question&)>;
+
+  OddDialogue() : events_(node_, "/goal_alignment/events") {}
+
+  void SetUp() override {
+    Scenario::SetUp();
+    ASSERT_TRUE(eventually([this] { return events_.isHeard(); }));
+  }
+
+  void TearDown() override {
+    Scenario::TearDown();
+    server_.shutdown();
+  }
+
+  // It answers so the first time, and later NO.
+  void answersFirst(const Reply& reply) {
+    reply_ = reply;
+    server_ = node_.advertiseService("/ask_human", &OddDialogue::ask, this);
+  }
+
+  bool ask(AskHuman::Request& request, AskHuman::Response& response) {
+    const bool first = asked_++ == 0;
+    response = first ? reply_(request.question) : answered(AskHuman::Response::NO, 0);
+    return true;
+  }
+
+  static AskHuman::Response answered(int value, std::uint32_t id,
+                                     const std::vector<std::string>& fluents = {}) {
+    AskHuman::Response response;
+    response.answer = static_cast<std::int8_t>(value);
+    response.question_id = id;
+    response.fluents = fluents;
+    response.answered_by = "odd";
+    return response;
+  }
+
+  // The answer is refused, people are told why, and the same question is asked again.
+  void expectRefused(const Reply& reply, const std::string& reason) {
+    answersFirst(reply);
+    align_.sendGoal(sweepHall());
+    EXPECT_TRUE(tellsOfRefusal(reason));
+    const AlignResult result = awaitResult();
+    EXPECT_EQ(result.outcome, AlignResult::SUCCESS) << result.message;
+    EXPECT_EQ(result.questions, 1U);
+    EXPECT_EQ(asked_, 2);
+  }
+
+  bool tellsOfRefusal(const std::string& reason) {
+    return events_
+        .waitFor([&](const std_msgs::String& line) {
+          return line.data.find("an answer from /ask_human was refused") == 0 &&
+                 line.data.find(reason) != std::string::npos;
+        })
+        .has_value();
+  }
+
+  Topic<std_msgs::String> events_;
+  Reply reply_;
+  std::atomic<int> asked_{0};
+  ros::ServiceServer server_;
+};
+
+TEST_F(OddDialogue, thatNamesAForeignQuestionIsRefused) {
+  expectRefused(
+      [](const Question& question) {
+        return answered(AskHuman::Response::YES, question.question_id + 500'000);
+      },
+      "was not asked here");
+}
+
+TEST_F(OddDialogue, thatGivesAnAnswerWhichIsNoneIsRefused) {
+  expectRefused([](const Question& question) { return answered(7, question.question_id); },
+                "7 is no answer");
+}
+
+TEST_F(OddDialogue, thatAnswersFluentsOfNoQuestionIsRefused) {
+  expectRefused(
+      [](const Question& question) {
+        return answered(AskHuman::Response::YES, question.question_id, {"(room hall)"});
+      },
+      "(room hall) is no part of question");
+}
+
+TEST_F(OddDialogue, thatAnswersWhatNobodyCanReadIsRefused) {
+  expectRefused(
+      [](const Question& question) {
+        return answered(AskHuman::Response::YES, question.question_id, {"((quiet\xff"});
+      },
+      "");
+}
+
+TEST_F(OddDialogue, thatHasNoAnswerIsAskedAgain) {
+  answersFirst([](const Question& question) {
+    return answered(AskHuman::Response::NONE, question.question_id);
+  });
+  align_.sendGoal(sweepHall());
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+  EXPECT_EQ(asked_, 2);
+}
+
+TEST_F(OddDialogue, thatAnswersAfterSomebodyElseDidIsRefused) {
+  answersFirst([this](const Question& question) {
+    EXPECT_TRUE(answer(Answer::Request::NO, question.question_id).accepted);
+    return answered(AskHuman::Response::YES, question.question_id);
+  });
+  align_.sendGoal(sweepHall());
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS) << "NO was faster";
+  EXPECT_TRUE(tellsOfRefusal(""));
+  EXPECT_EQ(asked_, 1);
 }
 
 }  // namespace

@@ -77,6 +77,9 @@ TEST_F(Executor, dispatchesEveryStepInOrder) {
   EXPECT_EQ(client_.getResult()->outcome, ExecutePlanResult::SUCCESS);
   EXPECT_EQ(client_.getResult()->failed_step, -1);
   ASSERT_TRUE(succeeded(goal, 2));
+  ASSERT_TRUE(dispatches_.waitFor([&](const ActionDispatch& dispatch) {
+    return dispatch.plan_id == goal.plan.plan_id && dispatch.action_id == 2;
+  }));
   std::vector<std::string> names;
   float last = 0;
   for (const ActionDispatch& dispatch : dispatches_.all()) {

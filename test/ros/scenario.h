@@ -53,6 +53,8 @@ class Topic {
     return messages_;
   }
 
+  bool isHeard() const { return subscriber_.getNumPublishers() > 0; }
+
   std::optional<Message> last() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return messages_.empty() ? std::nullopt : std::make_optional(messages_.back());
@@ -128,6 +130,7 @@ class Scenario : public testing::Test {
   Topic<AlignmentState> states_;
   Topic<Plan> plans_;
   AlignClient align_;
+  ros::ServiceClient answers_;
 };
 
 }  // namespace goal_alignment::test

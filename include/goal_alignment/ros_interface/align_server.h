@@ -28,6 +28,10 @@ class AlignServer {
   /// Takes a goal that came another way than as an action; `origin` begins its id.
   void submit(const AlignGoal& goal, const std::string& origin);
 
+  /// The node is about to end: cancels the goals there are and those to come, and returns when the
+  /// solver thread has left its session. The destructor does it as well.
+  void endGoals();
+
  private:
   using Ticket = std::shared_ptr<GoalTicket>;
 

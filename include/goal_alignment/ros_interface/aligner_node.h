@@ -6,27 +6,37 @@
 #include <ros/service_server.h>
 #include <ros/spinner.h>
 #include <ros/subscriber.h>
+#include <std_srvs/Trigger.h>
 
 #include <memory>
 
 #include "goal_alignment/Answer.h"
+#include "goal_alignment/Explain.h"
 #include "goal_alignment/GetState.h"
 #include "goal_alignment/HumanTask.h"
+#include "goal_alignment/SetFacts.h"
 #include "goal_alignment/Validate.h"
 #include "goal_alignment/ros_interface/align_server.h"
 #include "goal_alignment/ros_interface/alignment_runner.h"
 #include "goal_alignment/ros_interface/announcer.h"
 #include "goal_alignment/ros_interface/ask_human_client.h"
+#include "goal_alignment/ros_interface/diagnostics.h"
+#include "goal_alignment/ros_interface/explanation.h"
+#include "goal_alignment/ros_interface/journal.h"
 #include "goal_alignment/ros_interface/question_bridge.h"
+#include "goal_alignment/ros_interface/robot_facts.h"
 
 namespace goal_alignment::ros_interface {
 
 /// goal_alignment_node: puts the parts together and offers the services. No callback runs a solver;
-/// what takes longer than a look-up has a callback queue of its own, so that answers and cancels
+/// what takes longer than a look-up has callback queues of its own, so that answers and cancels
 /// never wait behind it.
 class AlignerNode {
  public:
   AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node);
+
+  /// The last words: every goal gets its result.
+  void endGoals() { align_.endGoals(); }
 
  private:
   void takeTask(const HumanTask::ConstPtr& task);
@@ -34,10 +44,23 @@ class AlignerNode {
   bool reviseAnswer(Answer::Request& request, Answer::Response& response);
   bool getState(GetState::Request& request, GetState::Response& response);
   bool validate(Validate::Request& request, Validate::Response& response);
+  bool explain(Explain::Request& request, Explain::Response& response);
+  bool forget(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool setFacts(SetFacts::Request& request, SetFacts::Response& response);
+  session::Receipt submit(const Answer::Request& request);
   void checkParameters() const;
+
+  template <typename Service>
+  ros::ServiceServer advertise(const char* name, ros::CallbackQueue& queue,
+                               bool (AlignerNode::*method)(typename Service::Request&,
+                                                           typename Service::Response&));
 
   ros::NodeHandle private_node_;
   Announcer announcer_;
+  Journal journal_;
+  Diagnostics diagnostics_;
+  RobotFacts facts_;
+  Explainer explainer_;
   QuestionBridge bridge_;
   AskHumanClient ask_human_;
   AlignmentRunner runner_;
@@ -47,10 +70,15 @@ class AlignerNode {
   ros::ServiceServer answer_service_;
   ros::ServiceServer revise_service_;
   ros::ServiceServer state_service_;
+  ros::ServiceServer forget_service_;
+  ros::ServiceServer facts_service_;
 
-  ros::CallbackQueue slow_callbacks_;
+  ros::CallbackQueue validate_callbacks_;
+  ros::CallbackQueue explain_callbacks_;
   ros::ServiceServer validate_service_;
-  ros::AsyncSpinner slow_spinner_;
+  ros::ServiceServer explain_service_;
+  ros::AsyncSpinner validate_spinner_;
+  ros::AsyncSpinner explain_spinner_;
 };
 
 }  // namespace goal_alignment::ros_interface

@@ -13,10 +13,13 @@
 
 #include "goal_alignment/ros_interface/announcer.h"
 #include "goal_alignment/ros_interface/ask_human_client.h"
+#include "goal_alignment/ros_interface/explanation.h"
 #include "goal_alignment/ros_interface/goal_ticket.h"
+#include "goal_alignment/ros_interface/journal.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
 #include "goal_alignment/ros_interface/node_options.h"
 #include "goal_alignment/ros_interface/question_bridge.h"
+#include "goal_alignment/ros_interface/robot_facts.h"
 #include "goal_alignment/session/session.h"
 
 namespace goal_alignment::ros_interface {
@@ -25,8 +28,17 @@ namespace goal_alignment::ros_interface {
 /// session for goals that continue it.
 class AlignmentRunner {
  public:
-  AlignmentRunner(ros::NodeHandle private_node, Announcer& announcer, QuestionBridge& bridge,
-                  AskHumanClient& ask_human);
+  /// The parts of the node that a session meets. They outlive the runner.
+  struct Parts {
+    Announcer& announcer;
+    QuestionBridge& bridge;
+    AskHumanClient& ask_human;
+    Journal& journal;
+    RobotFacts& facts;
+    Explainer& explainer;
+  };
+
+  AlignmentRunner(ros::NodeHandle private_node, const Parts& parts);
 
   /// Ends the goal, whatever happens. Of the solver thread.
   void run(GoalTicket& ticket);
@@ -37,6 +49,7 @@ class AlignmentRunner {
 
  private:
   using Clock = QuestionBridge::Clock;
+  using State = session::State;
 
   // A session and what the node knows about it.
   struct Kept {
@@ -52,6 +65,12 @@ class AlignmentRunner {
     std::size_t calls_before = 0;
     std::size_t questions_before = 0;
     std::string told_break;  // what was said about the human's plan
+    bool models_known = false;
+    bool ends_when_unsure = false;
+    unsigned facts_seen = 0;
+    std::set<GroundName> told_left_out;
+    std::vector<JournalAnswer> journaled;  // not yet told to the session
+    unsigned silences = 0;                 // how often the open question was put in vain
   };
 
   // Before the goal is accepted; they throw.
@@ -63,11 +82,17 @@ class AlignmentRunner {
   void warnAboutUnknown(const NodeOptions& options);
 
   void loop(GoalTicket& ticket);
+  State step();
+  void takeUpModels();
+  void takeUpJournal();
+  void takeUpFacts();
   bool hasEnded();
   void applyAnswers();
   session::Receipt apply(const AcceptedAnswer& answer);
   bool isAnswered(const Literal& fluent) const;
   void waitForAnswer(GoalTicket& ticket);
+  void treatSilence();
+  void writeJournal() const;
   void openQuestion(GoalTicket& ticket);
   void closeQuestion();
   bool claimOutcome(GoalTicket& ticket);
@@ -75,6 +100,7 @@ class AlignmentRunner {
   void refuse(GoalTicket& ticket, const session::Outcome& outcome);
 
   void report(GoalTicket& ticket, const std::string& message);
+  void showToExplainer();
   AlignmentState stateMessage(const std::string& message) const;
   AlignResult figures() const;
   std::string spoken(const std::vector<Literal>& fluents) const;
@@ -84,9 +110,13 @@ class AlignmentRunner {
   Announcer& announcer_;
   QuestionBridge& bridge_;
   AskHumanClient& ask_human_;
+  Journal& journal_;
+  RobotFacts& facts_;
+  Explainer& explainer_;
   Kept kept_;
   Question open_;  // question_id 0: none
   std::set<Literal> open_fluents_;
+  Clock::time_point open_until_;
   std::int32_t plans_ = 0;
   std::set<std::string> warned_about_;
 

@@ -27,13 +27,14 @@ class Announcer {
   /// One line for people, on ~events and in the log.
   void tell(const std::string& line);
 
-  /// As last published.
+  // As last published.
   AlignmentState state() const;
+  Question question() const;
 
  private:
   mutable std::mutex mutex_;  // guards the two below
   AlignmentState state_;
-  std::uint32_t question_seq_ = 0;
+  Question question_;
   ros::Publisher states_;
   ros::Publisher plans_;
   ros::Publisher questions_;

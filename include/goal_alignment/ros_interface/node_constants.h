@@ -24,6 +24,9 @@ constexpr const char* kAnswerService = "answer";
 constexpr const char* kReviseAnswerService = "revise_answer";
 constexpr const char* kGetStateService = "get_state";
 constexpr const char* kValidateService = "validate";
+constexpr const char* kExplainService = "explain";
+constexpr const char* kForgetService = "forget";
+constexpr const char* kSetFactsService = "set_facts";
 
 constexpr const char* kAlignerQuestionTopic = "goal_alignment/question";
 constexpr const char* kAlignerStateTopic = "goal_alignment/state";
@@ -37,5 +40,8 @@ constexpr std::uint32_t kEventQueueSize = 100;
 
 /// For so long after a question replaced another an answer must name the question it means.
 constexpr double kAnswerGraceSeconds = 1.0;
+
+/// For so long ~explain waits for a reason that the search has not brought up yet.
+constexpr double kExplainSeconds = 2.0;
 
 }  // namespace goal_alignment::ros_interface

@@ -29,6 +29,13 @@ struct NodeOptions {
   session::Options session;
 
   double ask_timeout = 0;  ///< seconds to wait for one answer, 0 … 604800; 0: for ever
+  int ask_retries = 0;     ///< 0 … 1000: how often a question is put again after such silence
+
+  /// Seconds, 0 … 31536000: for so long the answers of a dialogue that was broken off are kept on
+  /// disk; 0: not at all.
+  double journal_expiry = 604800;
+
+  double diagnostic_period = 1;  ///< seconds of wall time, 0.01 … 3600; read at the start alone
 
   std::vector<std::string> unknown;  ///< private parameters that nobody reads
 

@@ -52,14 +52,16 @@ class QuestionBridge {
   std::uint32_t open(const std::vector<Literal>& fluents);
   void close();
   std::vector<AcceptedAnswer> take();
-  enum class Wake { Answer, Interrupt, TimedOut };
-  /// Waits in wall time for an answer, for interrupt(), or until the deadline.
+  enum class Wake { Answer, Interrupt, News, TimedOut };
+  /// Waits in wall time for an answer, for interrupt(), for nudge(), or until the deadline.
   Wake wait(Clock::time_point deadline);
 
   // Of any thread.
 
   /// Ends the wait under way, or the next one.
   void interrupt();
+  /// Something else than an answer needs the solver thread: ends the wait under way, or the next.
+  void nudge();
   session::Receipt submit(const Answer::Request& request);
   /// For ~revise_answer: changes earlier answers or gives first ones, also after the outcome.
   struct Revision {
@@ -93,9 +95,11 @@ class QuestionBridge {
   QuestionIds ids_;
   bool under_way_ = false;
   bool interrupted_ = false;
+  bool nudged_ = false;
   std::string session_id_;
   std::optional<OpenQuestion> open_;
   std::string last_session_;  // of the question before
+  std::set<Literal> last_fluents_;
   bool last_answered_ = false;
   std::optional<Clock::time_point> last_closed_;
   bool candidates_known_ = false;

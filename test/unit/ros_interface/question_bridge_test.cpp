@@ -245,5 +245,24 @@ TEST(QuestionIds, surviveADamagedOrUnusableFile) {
   std::filesystem::remove_all(folder);
 }
 
+TEST_F(Bridge, anInterruptAndANudgeWakeOnce) {
+  bridge_.open({literal("(a)")});
+  bridge_.nudge();
+  EXPECT_EQ(bridge_.wait(Clock::time_point::max()), QuestionBridge::Wake::News);
+  EXPECT_EQ(bridge_.wait(Clock::now()), QuestionBridge::Wake::TimedOut);
+  bridge_.interrupt();
+  EXPECT_EQ(bridge_.wait(Clock::time_point::max()), QuestionBridge::Wake::Interrupt);
+  EXPECT_EQ(bridge_.wait(Clock::now()), QuestionBridge::Wake::TimedOut);
+}
+
+TEST_F(Bridge, aQuestionPutAgainNeedsNoGrace) {
+  const std::uint32_t first = bridge_.open({literal("(a)")});
+  bridge_.close();
+  const std::uint32_t again = bridge_.open({literal("(a)")});
+  EXPECT_GT(again, first);
+  EXPECT_FALSE(submit(kNo, first).accepted);
+  EXPECT_TRUE(submit(kNo).accepted);
+}
+
 }  // namespace
 }  // namespace goal_alignment::ros_interface

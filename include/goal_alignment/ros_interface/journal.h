@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/session/session.h"
+
+namespace goal_alignment::ros_interface {
+
+/// One answer as it is remembered.
+struct JournalAnswer {
+  Literal fluent;
+  session::AnswerKind kind = session::AnswerKind::No;  ///< never Decline
+  std::string answered_by;
+  ros::Time at;
+};
+
+/// What of a task its answers hold for, whatever the robot can do or finds: D^H, I^H, π^H, G^H and
+/// the person. Equal tasks have equal keys, across restarts and versions.
+std::string journalKey(const session::Input& input, const std::string& person);
+
+/// Answers on disk, so that a dialogue that was broken off, by a cancel or by a crash, goes on
+/// where it was: one JSON file a task, replaced as a whole, so that a reader finds an old or a new
+/// one but never half of one. A folder that can't be written to and a file that can't be read are
+/// complained of, and nothing else happens. Thread-safe.
+class Journal {
+ public:
+  /// Takes one line for people.
+  using Complain = std::function<void(const std::string&)>;
+
+  Journal(std::string folder, Complain complain);
+
+  /// The task whose answers are written from now on, and those it has on record. Entries that
+  /// nobody touched for `expiry` seconds are deleted first; with expiry 0 nothing is read or
+  /// written. A damaged entry is renamed to `….damaged`.
+  std::vector<JournalAnswer> open(const std::string& key, double expiry);
+
+  /// All answers of the task under way, at every new one.
+  void write(const std::vector<JournalAnswer>& answers);
+
+  /// The task has come to its outcome.
+  void drop();
+
+  /// What ~forget asks for: the entry goes, and nothing more is written until the next open().
+  /// False where no task was opened yet.
+  bool forget();
+
+  /// What went wrong last, until it goes well again; empty: nothing.
+  std::string trouble() const;
+
+ private:
+  std::string file() const;
+  std::vector<JournalAnswer> read();
+  void expire(double expiry);
+  void report(const std::string& trouble);
+
+  const std::string folder_;
+  const Complain complain_;
+  mutable std::mutex mutex_;  // guards all below
+  std::string key_;
+  bool writing_ = false;
+  std::string trouble_;
+};
+
+}  // namespace goal_alignment::ros_interface

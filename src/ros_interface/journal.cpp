@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/journal.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/nil_generator.hpp>
+#include <boost/uuid/uuid_io.hpp>
+#include <cerrno>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "goal_alignment/pddl/source_position.h"
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using session::AnswerKind;
+
+constexpr int kVersion = 1;
+constexpr const char* kSuffix = ".json";
+constexpr const char* kDamagedSuffix = ".damaged";
+constexpr const char* kNewSuffix = ".new";
+
+const char* wordOf(AnswerKind kind) {
+  return kind == AnswerKind::Yes ? "yes" : kind == AnswerKind::No ? "no" : "unsure";
+}
+
+AnswerKind kindOf(const std::string& word) {
+  if (word == "yes") return AnswerKind::Yes;
+  if (word == "no") return AnswerKind::No;
+  if (word == "unsure") return AnswerKind::Unsure;
+  throw std::invalid_argument("'" + word + "' is no answer");
+}
+
+std::string toText(const std::string& key, const std::vector<JournalAnswer>& answers) {
+  json entry = {{"version", kVersion}, {"key", key}, {"answers", json::array()}};
+  for (const JournalAnswer& answer : answers) {
+    entry["answers"].push_back({{"fluent", answer.fluent.text()},
+                                {"answer", wordOf(answer.kind)},
+                                {"answered_by", answer.answered_by},
+                                {"sec", answer.at.sec},
+                                {"nsec", answer.at.nsec}});
+  }
+  // Names of people need not be UTF-8; better a replaced letter than no journal.
+  return entry.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+// Throws std::exception for anything that toText() does not write.
+std::vector<JournalAnswer> fromText(const std::string& text, const std::string& key) {
+  const json entry = json::parse(text);
+  if (entry.at("version") != kVersion) throw std::invalid_argument("it is of another version");
+  if (entry.at("key") != key) throw std::invalid_argument("it is of another task");
+  std::vector<JournalAnswer> answers;
+  std::set<Literal> known;
+  for (const json& item : entry.at("answers")) {
+    JournalAnswer answer;
+    answer.fluent = Literal::parse(item.at("fluent").get<std::string>());
+    answer.kind = kindOf(item.at("answer").get<std::string>());
+    answer.answered_by = item.at("answered_by").get<std::string>();
+    answer.at = {item.at("sec").get<std::uint32_t>(), item.at("nsec").get<std::uint32_t>()};
+    if (!known.insert(answer.fluent).second) {
+      throw std::invalid_argument(answer.fluent.text() + " stands there twice");
+    }
+    answers.push_back(std::move(answer));
+  }
+  return answers;
+}
+
+[[noreturn]] void failWithErrno(const std::string& what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+class Descriptor {
+ public:
+  Descriptor(const std::string& path, int flags) : number_(open(path.c_str(), flags, 0600)) {
+    if (number_ < 0) failWithErrno(path);
+  }
+  ~Descriptor() { close(number_); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int operator*() const { return number_; }
+
+ private:
+  int number_;
+};
+
+void writeAll(int descriptor, const std::string& text, const std::string& path) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t count = ::write(descriptor, text.data() + done, text.size() - done);
+    if (count < 0 && errno != EINTR) failWithErrno(path);
+    if (count > 0) done += static_cast<std::size_t>(count);
+  }
+}
+
+// The rename is the moment at which the new text stands for the old one, also after a power cut.
+void replaceFile(const std::string& path, const std::string& text) {
+  fs::create_directories(fs::path(path).parent_path());
+  // Of this process alone: another robot's aligner may share the folder.
+  const std::string fresh = path + kNewSuffix + std::to_string(getpid());
+  {
+    const Descriptor file(fresh, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
+    writeAll(*file, text, fresh);
+    if (fsync(*file) != 0) failWithErrno(fresh);
+  }
+  fs::rename(fresh, path);
+  const Descriptor folder(fs::path(path).parent_path(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  fsync(*folder);  // some file systems can't; the text is safe in either case
+}
+
+}  // namespace
+
+std::string journalKey(const session::Input& input, const std::string& person) {
+  std::string all;
+  // With its length before it no part can run into the next.
+  const auto add = [&all](const std::string& part) {
+    all += std::to_string(part.size()) + ":" + part;
+  };
+  add(person);
+  add(input.human_domain.text);
+  add(input.human_problem.text);
+  std::set<std::string> goal;
+  for (const Literal& literal : input.goal)
+    goal.insert(literal.text());
+  add(std::to_string(goal.size()));
+  for (const std::string& literal : goal)
+    add(literal);
+  for (const GroundName& step : input.human_plan)
+    add(step.text());
+  return boost::uuids::to_string(boost::uuids::name_generator_sha1(boost::uuids::nil_uuid())(all));
+}
+
+Journal::Journal(std::string folder, Complain complain)
+    : folder_(std::move(folder)), complain_(std::move(complain)) {}
+
+std::string Journal::file() const {
+  return folder_ + "/" + key_ + kSuffix;
+}
+
+std::vector<JournalAnswer> Journal::open(const std::string& key, double expiry) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  key_ = key;
+  writing_ = expiry > 0;
+  if (!writing_) return {};
+  expire(expiry);
+  return read();
+}
+
+std::vector<JournalAnswer> Journal::read() {
+  std::error_code none;
+  if (!fs::exists(file(), none)) return {};
+  try {
+    return fromText(pddl::readFile(file()).text, key_);
+  } catch (const std::exception& error) {
+    const std::string aside = file() + kDamagedSuffix;
+    std::error_code failed;
+    fs::rename(file(), aside, failed);
+    report(fmt::format("the journal {} is damaged and {}: {}", file(),
+                       failed ? "can't be set aside" : "set aside as " + aside, error.what()));
+    return {};
+  }
+}
+
+void Journal::expire(double expiry) {
+  const auto now = fs::file_time_type::clock::now();
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder_, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    std::error_code unknown;
+    const auto written = entry->last_write_time(unknown);
+    const std::chrono::duration<double> age = now - written;
+    if (unknown || age.count() <= expiry || !entry->is_regular_file(unknown)) continue;
+    fs::remove(entry->path(), unknown);
+  }
+}
+
+void Journal::write(const std::vector<JournalAnswer>& answers) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!writing_ || key_.empty()) return;
+  try {
+    replaceFile(file(), toText(key_, answers));
+    trouble_.clear();
+  } catch (const std::exception& error) {
+    report(fmt::format("the answers can't be written to the journal: {}", error.what()));
+  }
+}
+
+void Journal::drop() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (key_.empty()) return;
+  std::error_code gone;
+  fs::remove(file(), gone);
+}
+
+bool Journal::forget() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (key_.empty()) return false;
+  std::error_code gone;
+  fs::remove(file(), gone);
+  fs::remove(file() + kDamagedSuffix, gone);
+  writing_ = false;
+  return true;
+}
+
+std::string Journal::trouble() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return trouble_;
+}
+
+// The same trouble at every answer is told once.
+void Journal::report(const std::string& trouble) {
+  if (trouble != trouble_) complain_(trouble);
+  trouble_ = trouble;
+}
+
+}  // namespace goal_alignment::ros_interface

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scenario.h"
+
+/// Tasks whose models are generated texts: as many questions, or as much work, as a scenario needs.
+namespace goal_alignment::test {
+
+/// Like sweepBothRooms() with so many rooms, each of which is asked about.
+AlignGoal sweepRooms(int rooms);
+
+/// Models of many megabytes; nothing about them is hard.
+AlignGoal longToRead();
+/// Few objects, but 10^9 ground actions.
+AlignGoal longToGround();
+/// More pigeons than holes: it takes ages to find out that they can't all sit.
+AlignGoal longToAnalyse();
+/// A plan is found at once, and with the parameter plan: optimal a shortest one takes ages.
+AlignGoal longToPlan();
+
+}  // namespace goal_alignment::test

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The services: what they say and refuse, that they agree with the topics, and that none of them
+// waits for the solver.
+#include <std_srvs/Trigger.h>
+
+#include <atomic>
+#include <map>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "aligner_calls.h"
+#include "generated_tasks.h"
+#include "guests.h"
+
+namespace goal_alignment::test {
+namespace {
+
+constexpr int kNo = Answer::Request::NO;
+constexpr int kYes = Answer::Request::YES;
+
+using Texts = std::vector<std::string>;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class FreshAligner : public Scenario {};
+
+class Services : public Scenario {
+ protected:
+  Question ask() { return last_ = awaitQuestionAfter(last_.question_id); }
+
+  Question begin(const AlignGoal& goal) { return last_ = sendAndAwaitQuestion(goal); }
+
+  void reply(const Question& question, int value) {
+    EXPECT_TRUE(answer(value, question.question_id).accepted);
+  }
+
+  static void expectKnown(const Explain::Response& response, const std::string& part,
+                          const std::vector<Texts>& conflicts) {
+    EXPECT_TRUE(response.known);
+    EXPECT_TRUE(contains(response.text, part)) << response.text;
+    ASSERT_EQ(response.conflicts.size(), conflicts.size()) << response.text;
+    for (std::size_t i = 0; i < conflicts.size(); ++i)
+      EXPECT_EQ(textsOf(response.conflicts[i].fluents), conflicts[i]);
+  }
+
+  Question last_;
+};
+
+TEST_F(FreshAligner, hasNothingToExplainReviseForgetOrAnswer) {
+  const auto nothing = explain({});
+  EXPECT_FALSE(nothing.known);
+  EXPECT_EQ(nothing.text, "No task was given yet.");
+  EXPECT_FALSE(explain({"(quiet hall)"}).known);
+  EXPECT_EQ(answer(kNo).message, "no alignment is under way");
+  EXPECT_FALSE(reviseAnswer(kNo, {"(quiet hall)"}).accepted);
+  EXPECT_EQ(int{currentState().phase}, AlignmentState::IDLE);
+  EXPECT_TRUE(currentState().session_id.empty());
+  EXPECT_FALSE(callAligner<std_srvs::Trigger>("forget").success);
+}
+
+TEST_F(Services, explainWhyTheOpenQuestionIsAsked) {
+  const Question question = begin(seatGuests(3));
+  const auto why = explain({});
+  expectKnown(why, question.why, {textsOf(question.conflict)});
+  EXPECT_TRUE(why.conflicts.at(0).proven);
+  reply(question, kNo);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+  expectKnown(explain({}), "No question is open.", {});
+}
+
+TEST_F(Services, explainEveryKindOfFluent) {
+  const Question first = begin(sweepBothRooms());
+  const std::string open = textOf(first.fluents.at(0));
+  const std::string other = open == "(quiet hall)" ? "(quiet kitchen)" : "(quiet hall)";
+  expectKnown(explain({open}), first.why, {{open}});
+  expectKnown(explain({"(clean hall)"}), "You asked that", {});
+  expectKnown(explain({"(quiet cellar)"}), "you don't expect it", {});
+  expectKnown(explain({"(not (quiet hall))"}), "you don't expect it", {});
+  reply(first, kNo);
+  const Question second = ask();
+  expectKnown(explain({open}), "answered no by test", {{open}});
+  expectKnown(explain({other}), second.why, {{other}});
+  expectKnown(explain({other, "(CLEAN Kitchen)"}), "You asked that", {{other}});
+  reply(second, kYes);
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
+  expectKnown(explain({}), second.why, {textsOf(result.conflict)});
+  expectKnown(explain({other}), "answered yes by test", {{other}});
+  expectKnown(explain({"(room hall)"}), "can't change what I do", {});
+}
+
+TEST_F(Services, explainWhyThereIsNoPlan) {
+  reply(begin(seatGuests(3)), kYes);
+  reply(ask(), kYes);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
+  expectKnown(explain({}), "I can't have", {{"(seated g1)", "(seated g2)"}});
+}
+
+TEST_F(Services, explainRefusesWhatItCannotRead) {
+  begin(sweepHall());
+  for (const int later : {Explain::Request::WHY_NOT, Explain::Request::WHAT_IF}) {
+    const auto response = explain({"(quiet hall)"}, later);
+    EXPECT_FALSE(response.known);
+    EXPECT_TRUE(contains(response.text, "not supported yet")) << response.text;
+  }
+  const auto unknown = explain({}, 9);
+  EXPECT_FALSE(unknown.known);
+  EXPECT_TRUE(contains(unknown.text, "9 is no kind of explanation")) << unknown.text;
+  const std::string control(3, '\x01');
+  for (const std::string& rubbish :
+       {std::string(), std::string("((("), std::string("quiet hall)"), control, std::string("()"),
+        std::string("(quiet hall) (room hall)"), std::string(100000, '(')}) {
+    const auto response = explain({"(quiet hall)", rubbish});
+    EXPECT_FALSE(response.known) << rubbish.substr(0, 60);
+    EXPECT_TRUE(contains(response.text, "fluents[1]")) << response.text.substr(0, 200);
+    EXPECT_LT(response.text.size(), 1000U);
+  }
+  reply(last_, kNo);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+}
+
+TEST_F(Services, setFactsRefusesWhatCannotBeSoAndTakesNothingOfIt) {
+  const Question question = begin(seatGuests(3));
+  const Fluent fits = fluent("free", {"spare"});  // would make the question needless
+  const auto expectRefused = [](const std::vector<Fluent>& facts, const std::string& part) {
+    const auto response = setFacts(facts);
+    EXPECT_FALSE(response.accepted);
+    EXPECT_TRUE(contains(response.message, part)) << response.message;
+  };
+  expectRefused({}, "no fact");
+  expectRefused({fits, fluent("flies", {"g0"})}, "facts[1]");
+  expectRefused({fits, fits, fluent("free", {"c77"})}, "facts[2]");
+  expectRefused({fluent("free", {}), fits}, "facts[0]");
+  expectRefused({fluent("free", {"c0", "c1"})}, "facts[0]");
+  expectRefused({fits, fluent("", {})}, "facts[1]");
+  expectRefused({fits, fluent("free", {"c0)("})}, "facts[1]");
+  expectRefused({fits, fluent("free", {"c0"}), negated(fluent("FREE", {"C0"}))}, "facts[2]");
+  EXPECT_EQ(questions_.last()->question_id, question.question_id);
+  reply(question, kNo);
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::SUCCESS);
+  EXPECT_EQ(result.plan.steps.size(), 2U) << "the spare chair is as broken as it was";
+}
+
+TEST_F(Services, validateReadsMegabytesWhileQuestionsAreAnswered) {
+  const AlignGoal large = longToRead();
+  ASSERT_GT(large.robot_problem.size(), 3000000U);
+  std::atomic<bool> go_on{true};
+  std::atomic<int> validated{0};
+  std::thread validating([&] {
+    while (go_on) {
+      const auto response = validate(large.robot_domain, large.robot_problem);
+      EXPECT_TRUE(response.valid) << response.errors.at(0);
+      const auto broken = validate(large.robot_domain, large.robot_problem + ")");
+      EXPECT_FALSE(broken.valid);
+      ++validated;
+    }
+  });
+  int served = 0;
+  EXPECT_TRUE(eventually(
+      [&] {
+        reply(begin(sweepHall()), kNo);
+        EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+        ++served;
+        return validated > 0;
+      },
+      2 * kPatience));
+  EXPECT_GT(served, 1) << "the question waited for the texts";
+  go_on = false;
+  validating.join();
+}
+
+TEST_F(Services, getStateIsTheLastStateOfTheTopic) {
+  const auto expectSame = [this] {
+    EXPECT_TRUE(eventually([this] {
+      const auto shown = states_.last();
+      return shown && *shown == currentState();
+    })) << currentState();
+  };
+  expectSame();
+  reply(begin(sweepRooms(3)), kNo);
+  for (int i = 0; i < 2; ++i) {
+    ask();
+    expectSame();
+    EXPECT_EQ(int{currentState().phase}, AlignmentState::AWAITING_ANSWER);
+    reply(last_, kNo);
+  }
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+  expectSame();
+  EXPECT_EQ(int{currentState().phase}, AlignmentState::DONE);
+}
+
+// What four threads of answerers were told.
+class Flood {
+ public:
+  struct Accepted {
+    int value = 0;
+    std::string fluent;  // empty: all of the open question
+  };
+
+  // `values` are drawn from; fluents, ids and names are random, often senseless.
+  Flood(std::vector<int> values, Texts fluents, std::uint32_t newest_id)
+      : values_(std::move(values)), fluents_(std::move(fluents)), id_(newest_id) {}
+
+  void run() {
+    std::vector<std::thread> threads;
+    for (unsigned i = 0; i < 4; ++i)
+      threads.emplace_back([this, i] { answer(i); });
+    for (std::thread& thread : threads)
+      thread.join();
+  }
+
+  /// A question is open.
+  void show(std::uint32_t id) { id_ = id; }
+
+  /// Answers of which nobody knows whether they were accepted: roscpp loses some responses.
+  std::size_t lost() const { return lost_; }
+
+  // By the name it was given under.
+  const std::map<std::string, Accepted>& accepted() const { return accepted_; }
+
+ private:
+  void answer(unsigned number) {
+    std::mt19937 random(number);
+    const auto one_of = [&](const auto& all) { return all[random() % all.size()]; };
+    for (int i = 0; i < 500; ++i) {
+      Answer call;
+      call.request.answer = static_cast<std::int8_t>(one_of(values_));
+      const std::uint32_t id = id_;
+      call.request.question_id =
+          one_of(std::vector<std::uint32_t>{0, id, id, id - 1, id + 1, 4000000000U});
+      if (random() % 2 == 0) call.request.fluents = {one_of(fluents_)};
+      call.request.answered_by = std::to_string(number) + "-" + std::to_string(i);
+      const bool called = ros::service::call("/goal_alignment/answer", call);
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (!called) ++lost_;
+      EXPECT_TRUE(!called || call.response.accepted == call.response.message.empty());
+      if (!call.response.accepted) continue;
+      accepted_[call.request.answered_by] = {
+          call.request.answer, call.request.fluents.empty() ? "" : call.request.fluents[0]};
+    }
+  }
+
+  const std::vector<int> values_;
+  const Texts fluents_;
+  std::atomic<std::uint32_t> id_;
+  std::mutex mutex_;
+  std::map<std::string, Accepted> accepted_;
+  std::size_t lost_ = 0;
+};
+
+constexpr int kRooms = 12;
+
+// Some that are asked, some that may be volunteered, some that make no sense.
+Texts floodFluents() {
+  Texts fluents = {"(clean r0)", "(quiet cellar)", "(quiet r0 r1)",
+                   "",           "rubbish",        "(not (quiet r0))"};
+  for (int i = 0; i < kRooms; ++i) {
+    fluents.push_back("(quiet r" + std::to_string(i) + ")");
+    fluents.push_back("(Room R" + std::to_string(i) + ")");
+  }
+  return fluents;
+}
+
+void expectEachCountedOnce(const Flood& flood, const AlignResult& result) {
+  std::size_t counted = 0;
+  for (const Candidate& candidate : result.candidates) {
+    const bool answered = candidate.state == Candidate::WANTED ||
+                          candidate.state == Candidate::NOT_WANTED ||
+                          candidate.state == Candidate::UNSURE;
+    if (!answered) continue;
+    ++counted;
+    const auto found = flood.accepted().find(candidate.answered_by);
+    if (found == flood.accepted().end() && flood.lost() > 0) continue;
+    ASSERT_NE(found, flood.accepted().end()) << candidate;
+    const int states[] = {Candidate::NOT_WANTED, Candidate::WANTED, Candidate::UNSURE};
+    EXPECT_EQ(int{candidate.state}, states[found->second.value]) << candidate;
+  }
+  EXPECT_GE(counted, flood.accepted().size()) << "fluents answered and answers accepted";
+  EXPECT_LE(counted, flood.accepted().size() + flood.lost());
+}
+
+TEST_F(Services, aFloodOfAnswersAnswersEveryQuestionOnce) {
+  Flood flood({kNo, kNo, 4, 100, -1, -128}, floodFluents(), begin(sweepRooms(kRooms)).question_id);
+  ros::Subscriber shown = node_.subscribe<Question>("/goal_alignment/question", 100,
+                                                    [&](const Question::ConstPtr& question) {
+                                                      if (question->question_id != 0)
+                                                        flood.show(question->question_id);
+                                                    });
+  flood.run();
+  // Should it have left any open:
+  EXPECT_TRUE(eventually([&] {
+    const auto open = questions_.last();
+    if (open && open->question_id != 0) answer(kNo, open->question_id);
+    return align_.getState().isDone();
+  }));
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::SUCCESS) << result.message;
+  EXPECT_GT(flood.accepted().size(), 0U);
+  std::size_t not_wanted = 0;
+  for (const Candidate& candidate : result.candidates)
+    not_wanted += candidate.state == Candidate::NOT_WANTED && candidate.answered_by != "test";
+  EXPECT_GE(not_wanted, flood.accepted().size()) << "fluents answered and answers accepted";
+  EXPECT_LE(not_wanted, flood.accepted().size() + flood.lost());
+  EXPECT_LE(result.questions, static_cast<std::uint32_t>(kRooms));
+}
+
+TEST_F(Services, aFloodOfAllValuesEndsOneDialogueAndHarmsNoOther) {
+  Flood flood({kNo, kNo, kNo, kYes, Answer::Request::UNSURE, 7, -3}, floodFluents(),
+              begin(sweepRooms(kRooms)).question_id);
+  flood.run();
+  EXPECT_TRUE(eventually([&] {
+    const auto open = questions_.last();
+    if (open && open->question_id != 0) align_.cancelGoal();
+    return align_.getState().isDone();
+  }));
+  expectEachCountedOnce(flood, awaitResult());
+
+  Flood declining({kNo, Answer::Request::DECLINE}, floodFluents(),
+                  begin(sweepRooms(kRooms)).question_id);
+  declining.run();
+  EXPECT_EQ(awaitResult().outcome, AlignResult::DECLINED);
+  reply(begin(sweepHall()), kNo);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+}
+
+TEST_F(Services, noneWaitsForABusySolver) {
+  const AlignGoal goal = seatGuests(kManyGuests);
+  align_.sendGoal(goal);
+  // As soon as there are candidates the first search is under way.
+  ASSERT_TRUE(eventually([&] {
+    const AlignmentState state = currentState();
+    return state.phase == AlignmentState::ANALYSING && !state.candidates.empty();
+  }));
+  const std::string session = currentState().session_id;
+  EXPECT_FALSE(explain({"(seated g1)"}).known) << "the search goes on";
+  EXPECT_FALSE(explain({}).known);
+  EXPECT_EQ(answer(kNo).message, "no question is open");
+  EXPECT_TRUE(answer(kNo, 0, {"(guest g1)"}).accepted) << "volunteered";
+  EXPECT_FALSE(answer(kNo, 0, {"(guest g1)"}).accepted) << "answered";
+  EXPECT_FALSE(reviseAnswer(kNo, {"(seated g0)"}).accepted) << "specified";
+  EXPECT_TRUE(reviseAnswer(kYes, {"(guest g1)"}).accepted);
+  EXPECT_FALSE(setFacts({fluent("free", {"c999"})}).accepted);
+  EXPECT_TRUE(setFacts({fluent("free", {"c0"})}).accepted);
+  EXPECT_TRUE(validate(goal.robot_domain, goal.robot_problem).valid);
+  EXPECT_FALSE(explain({}, Explain::Request::WHY_NOT).known);
+  EXPECT_TRUE(callAligner<std_srvs::Trigger>("forget").success);
+  // Explanations wait, so a pair of them must not hold up the others.
+  std::vector<std::thread> explaining;
+  for (int i = 0; i < 6; ++i)
+    explaining.emplace_back([] { EXPECT_FALSE(explain({"(seated g2)"}).known); });
+  for (int i = 0; i < 20; ++i)
+    EXPECT_FALSE(answer(kNo).accepted);
+  for (std::thread& thread : explaining)
+    thread.join();
+  const AlignmentState state = currentState();
+  EXPECT_EQ(int{state.phase}, AlignmentState::ANALYSING) << "it was not busy for long enough";
+  EXPECT_EQ(state.session_id, session);
+  EXPECT_FALSE(align_.getState().isDone());
+  align_.cancelGoal();
+  EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
+}
+
+}  // namespace
+}  // namespace goal_alignment::test
