@@ -75,9 +75,11 @@ void AskHumanClient::Shared::run() {
   while (const auto asked = await()) {
     AskHuman call;
     call.request.question = *asked;
-    // Not persistent: the next call may go to another node.
+    // A client of its own, since the next call may go to another node; persistent all the same,
+    // since of other calls roscpp loses a response now and then (ros_comm issue 1976), and a person
+    // would be asked twice.
     const bool answered = ros::service::exists(node->resolveName(kAskHumanService), false) &&
-                          node->serviceClient<AskHuman>(kAskHumanService).call(call);
+                          node->serviceClient<AskHuman>(kAskHumanService, true).call(call);
     if (answered) treat(*asked, call.response);
     pause(*asked);
   }
