@@ -31,6 +31,9 @@ class Dialogue {
   void decline();
   /// Takes the open question back unanswered.
   void withdraw();
+  /// A question that was taken back counts once more when it is put again: to another goal, it is
+  /// one of its own.
+  void countAnew() { withdrawn_.reset(); }
   /// Makes every fluent answered "don't know" open once more; false when there is none left that
   /// was not reopened before.
   bool reopenUnsure();

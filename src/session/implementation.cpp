@@ -292,6 +292,7 @@ void Session::Implementation::goOn(const Options& options) {
   options_.max_questions = options.max_questions;
   options_.unsure_policy = options.unsure_policy;
   asked_before_ = dialogue_.asked();
+  dialogue_.countAnew();
   if (state_ != State::Done || !leavesOpen(outcome_.code)) return;
   resume(nextPhase());
 }

@@ -37,6 +37,19 @@ TEST(SessionGoesOn, AfterACancelWithTheSameQuestion) {
   EXPECT_EQ(session.question()->fluents, asked);
 }
 
+TEST(SessionGoesOn, AndCountsAQuestionOncePerGoal) {
+  Session session = atFirstQuestion();
+  session.setRobotState(session.robotState());
+  ASSERT_EQ(think(session), State::AwaitingAnswer);
+  EXPECT_EQ(session.snapshot().questions_asked, 1U) << "taken back and put again";
+  EXPECT_EQ(session.question()->asked, 0U);
+  session.giveUpWaiting("nobody is there");
+  EXPECT_EQ(session.snapshot().questions_asked, 1U);
+  session.goOn({});
+  ASSERT_EQ(think(session), State::AwaitingAnswer);
+  EXPECT_EQ(session.snapshot().questions_asked, 2U);
+}
+
 TEST(SessionGoesOn, AfterACancelBeforeTheModelsWereRead) {
   Session session{Options{}};
   session.begin(desk());
