@@ -81,8 +81,8 @@ class Session::Implementation {
   std::string listed(const std::vector<Literal>& literals) const;
 
   Options options_;
-  CancelToken cancel_;
-  State state_ = State::Idle;
+  alignas(64) CancelToken cancel_;  // apart from what the thread that works reads and writes
+  alignas(64) State state_ = State::Idle;
   Phase phase_ = Phase::Read;
   Limits::Clock::time_point step_began_;
   Input input_;
