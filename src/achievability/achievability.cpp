@@ -118,7 +118,8 @@ void Achievability::recordPlan(const task::Plan& plan) {
       conflicts_.clearSuspectedWithin(now);
     }
     if (step == plan.size()) break;
-    task::apply(task_.operators[plan[step]], state.data(), state.size(), state.data());
+    const task::State before = state;
+    task::apply(task_.operators[plan[step]], before.data(), state.size(), state.data());
   }
 }
 

@@ -51,12 +51,32 @@ inline bool contains(const Word* state, const FactSet& facts) {
   return true;
 }
 
-/// Writes the state after the operator into `successor` (which may be `state`).
+/// Whether the state satisfies the goal.
+inline bool satisfies(const Word* state, const Goal& goal) {
+  for (const FactSet& alternative : goal.alternatives) {
+    if (contains(state, alternative)) return true;
+  }
+  return false;
+}
+
+/// Writes the state after the operator into `successor` (which must not be `state`).
 inline void apply(const Operator& op, const Word* state, std::size_t word_count, Word* successor) {
   for (std::size_t i = 0; i < word_count; ++i)
     successor[i] = state[i];
   for (const FactId fact : op.del)
     clearBit(successor, fact);
+  if (!op.conditional.empty()) {
+    for (const ConditionalEffect& effect : op.conditional) {
+      if (!contains(state, effect.condition)) continue;
+      for (const FactId fact : effect.del)
+        clearBit(successor, fact);
+    }
+    for (const ConditionalEffect& effect : op.conditional) {
+      if (!contains(state, effect.condition)) continue;
+      for (const FactId fact : effect.add)
+        setBit(successor, fact);
+    }
+  }
   for (const FactId fact : op.add)
     setBit(successor, fact);
 }

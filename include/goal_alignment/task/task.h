@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "goal_alignment/common/ground_name.h"
@@ -18,13 +19,32 @@ using Cost = std::int64_t;
 /// A conjunction of facts, sorted, without duplicates.
 using FactSet = std::vector<FactId>;
 
-/// One ground action. add and del are disjoint: where an action does both, the add wins.
+/// What an operator does besides, where the condition is true in the state it is applied in.
+struct ConditionalEffect {
+  FactSet condition;
+  FactSet add;
+  FactSet del;
+};
+
+/// One ground action. Where it both adds and deletes a fact, be it by different effects, the add
+/// wins. Several operators may have one name: an action whose precondition is a disjunction.
 struct Operator {
   GroundName name;
   FactSet precondition;
   FactSet add;
   FactSet del;
   Cost cost = 1;
+  std::vector<ConditionalEffect> conditional = {};
+};
+
+/// A goal in disjunctive normal form: satisfied where all facts of one alternative are true.
+/// Without alternatives it never is; a conjunction has one.
+struct Goal {
+  std::vector<FactSet> alternatives;
+
+  Goal() = default;
+  Goal(FactSet conjunction) : alternatives{std::move(conjunction)} {}  // NOLINT: one is a goal
+  explicit Goal(std::vector<FactSet> disjunction) : alternatives(std::move(disjunction)) {}
 };
 
 /// Facts, operators and an initial state. Goals are no part of it: one task serves many goal sets.

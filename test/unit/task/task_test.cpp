@@ -50,11 +50,26 @@ TEST(State, WordsAreAsManyAsNeeded) {
   EXPECT_EQ(wordsFor(65), 2U);
 }
 
-TEST(State, ApplyMayWriteInPlace) {
-  const Task task = threeFacts();
-  State state = initialState(task);
-  apply(task.operators[0], state.data(), state.size(), state.data());
-  EXPECT_EQ(oracles::factsOf(task, state.data()), (oracles::Facts{64, 69}));
+TEST(State, ConditionsAreReadInTheStateBefore) {
+  // Swaps two switches at once, and lets the add win over the delete of another effect.
+  Task task;
+  task.facts.resize(3);
+  Operator op{{"swap", {}}, {}, {}, {2}, 1, {{{0}, {1}, {0}}, {{1}, {0}, {1}}, {{0}, {2}, {}}}};
+  const State before = {0b101};
+  State after(1);
+  apply(op, before.data(), 1, after.data());
+  EXPECT_EQ(after[0], 0b110U);
+  const State both = {0b011};
+  apply(op, both.data(), 1, after.data());
+  EXPECT_EQ(after[0], 0b111U);
+}
+
+TEST(State, AGoalIsSatisfiedByAnyAlternative) {
+  const State state = {0b011};
+  EXPECT_TRUE(satisfies(state.data(), FactSet{0, 1}));
+  EXPECT_TRUE(satisfies(state.data(), Goal(std::vector<FactSet>{{2}, {1}})));
+  EXPECT_FALSE(satisfies(state.data(), Goal(std::vector<FactSet>{{2}, {0, 2}})));
+  EXPECT_FALSE(satisfies(state.data(), Goal()));
 }
 
 TEST(State, ForEachBitVisitsInRisingOrder) {
