@@ -124,15 +124,17 @@ void Achievability::recordPlan(const task::Plan& plan) {
 }
 
 void Achievability::recordExecution(const std::vector<GroundName>& actions) {
-  std::unordered_map<GroundName, task::OperatorId> ids;
+  std::unordered_map<GroundName, std::optional<task::OperatorId>> ids;
+  for (const GroundName& action : actions)
+    ids.emplace(action, std::nullopt);
   for (task::OperatorId op = 0; op < task_.operators.size(); ++op) {
-    ids.emplace(task_.operators[op].name, op);
+    const auto found = ids.find(task_.operators[op].name);
+    if (found != ids.end()) found->second = op;
   }
   task::Plan plan;
   for (const GroundName& action : actions) {
-    const auto found = ids.find(action);
     // Grounding leaves out operators that change nothing: the state is the same without them.
-    if (found != ids.end()) plan.push_back(found->second);
+    if (const auto op = ids.at(action)) plan.push_back(*op);
   }
   recordPlan(plan);
 }
@@ -189,14 +191,14 @@ std::optional<Check> Achievability::searchGreedily(const CandidateSet& set, cons
 
 search::Result Achievability::optimalPlan(const CandidateSet& set, const Limits& limits) {
   ++planner_calls_;
-  return search::astar(task_, *successors_, goalFacts(set), limits);
+  return search::astar(task_, goalFacts(set), limits);
 }
 
 Verdict Achievability::reachableAlone(std::size_t candidate, const Limits& limits) {
   if (reached_.test(candidate)) return Verdict::Achievable;
   if (never_true_.test(candidate) || exhaustive_complete_) return Verdict::Unachievable;
   ++planner_calls_;
-  const search::Result result = search::greedy(task_, *successors_, {facts_[candidate]},
+  const search::Result result = search::greedy(task_, *successors_, FactSet{facts_[candidate]},
                                                limits.withStates(budget_.second_greedy));
   if (result.status == search::Status::Solved) {
     recordPlan(result.plan);

@@ -46,7 +46,6 @@ class HumanCosts {
       : problem_(problem),
         prefix_costs_(prefixCosts(problem, unit_costs)),
         human_(grounding::ground(problem.human, problem.specified, {unit_costs}, limits)),
-        successors_(human_.task),
         search_limits_(limits.withStates(states)) {
     for (const Literal& literal : problem.specified) {
       const FactStatus status = human_.status(literal);
@@ -74,7 +73,7 @@ class HumanCosts {
     const Cost bound = cheapestPrefix(fluent);
     ++progress.planner_calls;
     const search::Result result =
-        search::astar(human_.task, successors_, goal, search_limits_, bound);
+        search::astar(human_.task, goal, search_limits_, bound);
     if (result.limit == LimitReason::Cancelled) throw LimitReached(result.limit, "the beliefs");
     if (result.status == search::Status::LimitReached) progress.exact = false;
     return result.status == search::Status::Solved ? result.cost : bound;
@@ -94,7 +93,6 @@ class HumanCosts {
   const Problem& problem_;
   std::vector<Cost> prefix_costs_;
   grounding::GroundTask human_;
-  search::SuccessorGenerator successors_;
   Limits search_limits_;
   task::FactSet goal_;
   std::map<std::optional<task::FactId>, Cost> costs_;  // nothing: G^H alone

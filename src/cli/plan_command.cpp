@@ -114,7 +114,7 @@ class Planning {
     if (mutexes.contains(*facts)) return;
     const task::Task task = mutexes.withoutInapplicable(ground.task);
     const search::SuccessorGenerator successors(task);
-    result_ = arguments_.optimal ? search::astar(task, successors, *facts, limits)
+    result_ = arguments_.optimal ? search::astar(task, *facts, limits)
                                  : search::greedy(task, successors, *facts, limits);
     steps_ = task::names(task, result_.plan);
   }

@@ -14,7 +14,7 @@ constexpr std::uint32_t kNoSupporter = static_cast<std::uint32_t>(-1);
 
 }  // namespace
 
-Ff::Ff(const task::Task& task, const task::FactSet& goal)
+Ff::Ff(const task::Task& task, const task::Goal& goal)
     : task_(task),
       relaxed_(task, goal),
       state_words_(task::wordsFor(task.facts.size())),
@@ -25,7 +25,7 @@ Ff::Ff(const task::Task& task, const task::FactSet& goal)
   for (std::uint32_t op = 0; op < relaxed_.operator_count; ++op) {
     fresh_unsatisfied_.push_back(static_cast<std::uint32_t>(relaxed_.preconditions.size(op)));
     const Cost cost = std::max<Cost>(1, relaxed_.cost[op]);
-    fresh_operator_cost_.push_back(op == relaxed_.goal_operator ? 0 : cost);
+    fresh_operator_cost_.push_back(op >= relaxed_.first_goal_operator ? 0 : cost);
   }
 }
 
@@ -77,9 +77,13 @@ Cost Ff::extract(const task::Word* state) {
   for (const std::uint32_t op : relaxed_plan_) {
     in_relaxed_plan_[op] = false;
     total += fresh_operator_cost_[op];
-    if (op == relaxed_.goal_operator) continue;
+    if (op >= relaxed_.first_goal_operator) continue;
     const task::OperatorId origin = relaxed_.origin[op];
     if (task::contains(state, task_.operators[origin].precondition)) preferred_.push_back(origin);
+  }
+  if (relaxed_.several_parts) {
+    std::sort(preferred_.begin(), preferred_.end());
+    preferred_.erase(std::unique(preferred_.begin(), preferred_.end()), preferred_.end());
   }
   for (const FactId fact : marked_facts_)
     marked_[fact] = false;

@@ -2,6 +2,9 @@
 #include "goal_alignment/heuristics/relaxed_task.h"
 
 #include <cstddef>
+#include <utility>
+
+#include "goal_alignment/task/relevance.h"
 
 namespace goal_alignment::heuristics {
 
@@ -12,31 +15,9 @@ namespace {
 
 using RowList = std::vector<std::vector<std::uint32_t>>;
 
-/// The operators that a delete-free plan for the goal may use, by backward reachability.
-std::vector<bool> relevantOperators(const task::Task& task, const task::FactSet& goal) {
-  std::vector<std::vector<OperatorId>> adders(task.facts.size());
-  for (OperatorId op = 0; op < task.operators.size(); ++op) {
-    for (const FactId fact : task.operators[op].add)
-      adders[fact].push_back(op);
-  }
-  std::vector<bool> relevant(task.operators.size(), false);
-  std::vector<bool> seen(task.facts.size(), false);
-  std::vector<FactId> open(goal);
-  for (const FactId fact : goal)
-    seen[fact] = true;
-  while (!open.empty()) {
-    const FactId fact = open.back();
-    open.pop_back();
-    for (const OperatorId op : adders[fact]) {
-      if (relevant[op]) continue;
-      relevant[op] = true;
-      for (const FactId needed : task.operators[op].precondition) {
-        if (!seen[needed]) open.push_back(needed);
-        seen[needed] = true;
-      }
-    }
-  }
-  return relevant;
+task::FactSet both(task::FactSet one, const task::FactSet& other) {
+  one.insert(one.end(), other.begin(), other.end());
+  return task::makeFactSet(std::move(one));
 }
 
 RowList transposed(const RowList& rows, std::size_t columns) {
@@ -59,28 +40,41 @@ Rows::Rows(const RowList& rows) {
   }
 }
 
-RelaxedTask::RelaxedTask(const task::Task& task, const task::FactSet& goal)
+RelaxedTask::RelaxedTask(const task::Task& task, const task::Goal& goal)
     : fact_count(task.facts.size() + 2),
       true_fact(static_cast<FactId>(task.facts.size())),
       goal_fact(true_fact + 1) {
-  const std::vector<bool> relevant = relevantOperators(task, goal);
+  const std::vector<bool> relevant = task::relevance(task, goal).operators;
   RowList precondition_rows;
   RowList effect_rows;
-  const auto add = [&](const task::FactSet& precondition, std::vector<FactId> effect,
+  const auto add = [&](task::FactSet precondition, const std::vector<FactId>& effect,
                        task::Cost operator_cost) {
-    precondition_rows.push_back(precondition);
-    if (precondition.empty()) precondition_rows.back().push_back(true_fact);
-    effect_rows.push_back(std::move(effect));
+    if (precondition.empty()) precondition.push_back(true_fact);
+    precondition_rows.push_back(std::move(precondition));
+    effect_rows.push_back(effect);
     cost.push_back(operator_cost);
+  };
+  RowList part_rows(task.operators.size());
+  const auto add_part = [&](OperatorId op, task::FactSet precondition,
+                            const task::FactSet& effect) {
+    part_rows[op].push_back(static_cast<std::uint32_t>(origin.size()));
+    origin.push_back(op);
+    add(std::move(precondition), effect, task.operators[op].cost);
   };
   for (OperatorId op = 0; op < task.operators.size(); ++op) {
     if (!relevant[op]) continue;
-    origin.push_back(op);
-    add(task.operators[op].precondition, task.operators[op].add, task.operators[op].cost);
+    const task::Operator& whole = task.operators[op];
+    if (!whole.add.empty()) add_part(op, whole.precondition, whole.add);
+    for (const task::ConditionalEffect& effect : whole.conditional) {
+      if (!effect.add.empty()) add_part(op, both(whole.precondition, effect.condition), effect.add);
+    }
+    if (part_rows[op].size() > 1) several_parts = true;
   }
-  goal_operator = static_cast<std::uint32_t>(origin.size());
-  add(goal, {goal_fact}, 0);
+  first_goal_operator = static_cast<std::uint32_t>(origin.size());
+  for (const task::FactSet& alternative : goal.alternatives)
+    add(alternative, {goal_fact}, 0);
   operator_count = cost.size();
+  parts = Rows(part_rows);
   precondition_of = Rows(transposed(precondition_rows, fact_count));
   effect_of = Rows(transposed(effect_rows, fact_count));
   preconditions = Rows(precondition_rows);

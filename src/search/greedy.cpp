@@ -54,7 +54,7 @@ class OpenList {
 
 class Greedy {
  public:
-  Greedy(const task::Task& task, const SuccessorGenerator& successors, const task::FactSet& goal,
+  Greedy(const task::Task& task, const SuccessorGenerator& successors, const task::Goal& goal,
          const Limits& limits)
       : successors_(successors),
         goal_(goal),
@@ -99,7 +99,7 @@ class Greedy {
   /// Evaluates a new state and opens its edges; true when it satisfies the goal.
   bool open(StateId id) {
     const task::Word* state = space_.state(id);
-    if (task::contains(state, goal_)) return true;
+    if (task::satisfies(state, goal_)) return true;
     ++result_.statistics.evaluated;
     const Cost h = heuristic_.evaluate(state);
     if (h == kInfinity) return false;
@@ -120,7 +120,7 @@ class Greedy {
   }
 
   const SuccessorGenerator& successors_;
-  const task::FactSet& goal_;
+  const task::Goal& goal_;
   LimitMonitor monitor_;
   heuristics::Ff heuristic_;
   SearchSpace space_;
@@ -133,8 +133,8 @@ class Greedy {
 
 }  // namespace
 
-Result greedy(const task::Task& task, const SuccessorGenerator& successors,
-              const task::FactSet& goal, const Limits& limits) {
+Result greedy(const task::Task& task, const SuccessorGenerator& successors, const task::Goal& goal,
+              const Limits& limits) {
   Result result = Greedy(task, successors, goal, limits).run();
   result.cost = task::cost(task, result.plan);
   return result;

@@ -12,21 +12,26 @@ Dialogue::Dialogue(const alignment::Problem& problem)
       knowledge_(problem.candidates.size(), Knowledge::Open),
       answered_by_(problem.candidates.size()),
       reopened_(problem.candidates.size(), false) {
-  for (const alignment::Candidate& candidate : problem.candidates) {
-    index_.emplace(candidate.fluent, fluents_.size());
+  fluents_.reserve(problem.candidates.size());
+  for (const alignment::Candidate& candidate : problem.candidates)
     fluents_.push_back(candidate.fluent);
-  }
+}
+
+std::optional<std::size_t> Dialogue::find(const Literal& fluent) const {
+  const auto found = std::lower_bound(fluents_.begin(), fluents_.end(), fluent);
+  if (found == fluents_.end() || *found != fluent) return std::nullopt;
+  return static_cast<std::size_t>(found - fluents_.begin());
 }
 
 std::string Dialogue::refusal(const Literal& fluent, bool revising) const {
   if (std::binary_search(specified_.begin(), specified_.end(), fluent)) {
     return fluent.text() + " is part of the specified goal";
   }
-  const auto found = index_.find(fluent);
-  if (found == index_.end()) {
+  const std::optional<std::size_t> found = find(fluent);
+  if (!found) {
     return fluent.text() + " is no part of the expected state, so nothing depends on it";
   }
-  const bool answered = knowledge_[found->second] != Knowledge::Open;
+  const bool answered = knowledge_[*found] != Knowledge::Open;
   if (answered && !revising)
     return fluent.text() + " is answered already; revise the answer instead";
   if (!answered && revising)
@@ -41,7 +46,7 @@ Receipt Dialogue::answer(const std::vector<Literal>& fluents, AnswerKind kind,
     if (std::string why = refusal(fluent, revising); !why.empty()) return {false, std::move(why)};
   }
   for (const Literal& fluent : fluents)
-    set(index_.at(fluent), kind, answered_by);
+    set(*find(fluent), kind, answered_by);
   closeIfAnswered(kind);
   return {true, ""};
 }

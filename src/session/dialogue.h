@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,12 +63,12 @@ class Dialogue {
     QuestionRecord record;
   };
 
+  std::optional<std::size_t> find(const Literal& fluent) const;
   std::string refusal(const Literal& fluent, bool revising) const;
   void set(std::size_t candidate, AnswerKind kind, const std::string& answered_by);
   void closeIfAnswered(AnswerKind kind);
 
-  std::vector<Literal> fluents_;  // by candidate
-  std::map<Literal, std::size_t> index_;
+  std::vector<Literal> fluents_;    // by candidate, and so sorted
   std::vector<Literal> specified_;  // sorted
   std::vector<questions::Knowledge> knowledge_;
   std::vector<std::string> answered_by_;

@@ -26,14 +26,18 @@ std::optional<Cost> hMax(const task::Task& task, const Facts& state, const FactS
   for (bool changed = true; changed;) {
     changed = false;
     for (const Operator& op : task.operators) {
-      const auto before = dearest(op.precondition);
-      if (!before) continue;
-      for (const FactId fact : op.add) {
-        const Cost after = *before + op.cost;
-        if (cost.count(fact) > 0 && cost[fact] <= after) continue;
-        cost[fact] = after;
-        changed = true;
-      }
+      const auto reach = [&](FactSet condition, const FactSet& added) {
+        condition.insert(condition.end(), op.precondition.begin(), op.precondition.end());
+        const auto before = dearest(condition);
+        for (const FactId fact : added) {
+          if (!before || (cost.count(fact) > 0 && cost[fact] <= *before + op.cost)) continue;
+          cost[fact] = *before + op.cost;
+          changed = true;
+        }
+      };
+      reach({}, op.add);
+      for (const task::ConditionalEffect& effect : op.conditional)
+        reach(effect.condition, effect.add);
     }
   }
   return dearest(goal);

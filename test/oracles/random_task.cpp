@@ -44,9 +44,21 @@ task::Task randomTask(RandomSource& random, const TaskSize& size) {
                         std::back_inserter(op.del));
     op.cost = size.least_cost + static_cast<task::Cost>(random.below(static_cast<std::size_t>(
                                     size.most_cost - size.least_cost + 1)));
+    for (std::size_t n = size.conditional && chance(random, 0.3) ? between(random, 1, 3) : 0; n > 0;
+         --n) {
+      op.conditional.push_back(
+          {draw(random, facts, 0, 2), draw(random, facts, 0, 2), draw(random, facts, 0, 2)});
+    }
     task.operators.push_back(std::move(op));
   }
   return task;
+}
+
+task::Goal randomAlternatives(RandomSource& random, const task::Task& task) {
+  task::Goal goal;
+  for (std::size_t n = between(random, 1, 3); n > 0; --n)
+    goal.alternatives.push_back(randomGoal(random, task));
+  return goal;
 }
 
 FactSet randomGoal(RandomSource& random, const task::Task& task) {

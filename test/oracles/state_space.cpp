@@ -35,12 +35,29 @@ bool holds(const task::FactSet& goal, const Facts& facts) {
   return true;
 }
 
+bool satisfies(const task::Goal& goal, const Facts& facts) {
+  for (const task::FactSet& alternative : goal.alternatives) {
+    if (holds(alternative, facts)) return true;
+  }
+  return false;
+}
+
 Facts successor(const task::Operator& op, const Facts& facts) {
   Facts after = facts;
   for (const FactId fact : op.del)
     after.erase(fact);
+  for (const task::ConditionalEffect& effect : op.conditional) {
+    for (const FactId fact : effect.del) {
+      if (holds(effect.condition, facts)) after.erase(fact);
+    }
+  }
   for (const FactId fact : op.add)
     after.insert(fact);
+  for (const task::ConditionalEffect& effect : op.conditional) {
+    for (const FactId fact : effect.add) {
+      if (holds(effect.condition, facts)) after.insert(fact);
+    }
+  }
   return after;
 }
 
@@ -66,11 +83,10 @@ std::map<Facts, Cost> reachable(const task::Task& task, const Facts& from) {
   return settled;
 }
 
-std::optional<Cost> optimalCost(const task::Task& task, const Facts& from,
-                                const task::FactSet& goal) {
+std::optional<Cost> optimalCost(const task::Task& task, const Facts& from, const task::Goal& goal) {
   std::optional<Cost> best;
   for (const auto& [facts, cost] : reachable(task, from)) {
-    if (holds(goal, facts) && (!best || cost < *best)) best = cost;
+    if (satisfies(goal, facts) && (!best || cost < *best)) best = cost;
   }
   return best;
 }

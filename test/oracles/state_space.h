@@ -20,6 +20,7 @@ Facts factsOf(const task::Task& task, const task::Word* state);
 task::State stateOf(const task::Task& task, const Facts& facts);
 
 bool holds(const task::FactSet& goal, const Facts& facts);
+bool satisfies(const task::Goal& goal, const Facts& facts);
 Facts successor(const task::Operator& op, const Facts& facts);
 
 /// Tests every operator. In rising order.
@@ -30,7 +31,7 @@ std::map<Facts, task::Cost> reachable(const task::Task& task, const Facts& from)
 
 /// The cost of a cheapest plan; nothing: there is none.
 std::optional<task::Cost> optimalCost(const task::Task& task, const Facts& from,
-                                      const task::FactSet& goal);
+                                      const task::Goal& goal);
 
 /// Where the operators lead from the initial state; nothing where one can't be applied.
 std::optional<Facts> execute(const task::Task& task, const task::Plan& plan);

@@ -35,19 +35,23 @@ class Rows {
 
 /// The task without deletes, for one goal, with what is irrelevant to the goal left out.
 ///
-/// Facts keep their FactId; two are added: `goal_fact`, made true by `goal_operator` (cost 0) from
-/// the goal's facts, and `true_fact`, which holds always and stands in for empty preconditions, so
-/// that every operator has a precondition.
+/// Facts keep their FactId; two are added: `goal_fact`, made true by the goal operators (cost 0,
+/// one for each of the goal's alternatives), and `true_fact`, which holds always and stands in for
+/// empty preconditions, so that every operator has a precondition. An operator with conditional
+/// effects is taken apart into one relaxed operator for each effect that adds: whoever adds up
+/// costs must count the parts of one origin once.
 struct RelaxedTask {
-  RelaxedTask(const task::Task& task, const task::FactSet& goal);
+  RelaxedTask(const task::Task& task, const task::Goal& goal);
 
   std::size_t fact_count = 0;      ///< with the two artificial ones
-  std::size_t operator_count = 0;  ///< relevant ones and goal_operator
+  std::size_t operator_count = 0;  ///< parts of relevant ones, then the goal operators
   task::FactId true_fact = 0;
   task::FactId goal_fact = 0;
-  std::uint32_t goal_operator = 0;
-  std::vector<task::OperatorId> origin;  ///< the task's operator, but for goal_operator
+  std::uint32_t first_goal_operator = 0;
+  bool several_parts = false;            ///< of any one operator
+  std::vector<task::OperatorId> origin;  ///< the task's operator; the goal operators have none
   std::vector<task::Cost> cost;
+  Rows parts;            ///< the task's operator → its relaxed operators
   Rows preconditions;    ///< operator → facts
   Rows effects;          ///< operator → facts
   Rows precondition_of;  ///< fact → operators

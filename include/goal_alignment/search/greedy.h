@@ -11,7 +11,7 @@ namespace goal_alignment::search {
 /// Lazy greedy best-first search with FF and preferred operators in a second open list that is
 /// boosted at every progress (Richter & Helmert, "Preferred Operators and Deferred Evaluation in
 /// Satisficing Planning", ICAPS 2009). Complete: Unsolvable is proven. The plan is any plan.
-Result greedy(const task::Task& task, const SuccessorGenerator& successors,
-              const task::FactSet& goal, const Limits& limits);
+Result greedy(const task::Task& task, const SuccessorGenerator& successors, const task::Goal& goal,
+              const Limits& limits);
 
 }  // namespace goal_alignment::search

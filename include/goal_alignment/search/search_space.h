@@ -43,6 +43,13 @@ class SearchSpace {
     return true;
   }
 
+  /// How a state was reached; the initial one from kNoState.
+  struct Way {
+    StateId parent;
+    task::OperatorId op;
+  };
+  Way way(StateId id) const { return ways_[id]; }
+
   /// The way to the state becomes this one.
   void setWay(StateId id, StateId parent, task::OperatorId op) { ways_[id] = {parent, op}; }
 
@@ -54,11 +61,6 @@ class SearchSpace {
   task::Plan plan(StateId id) const;
 
  private:
-  struct Way {
-    StateId parent;
-    task::OperatorId op;
-  };
-
   const task::Task& task_;
   StateRegistry registry_;
   std::vector<Way> ways_;

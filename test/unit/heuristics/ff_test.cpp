@@ -68,7 +68,7 @@ TEST(Ff, CountsSharedOperatorsOnceAndFreeOnesAsOne) {
   task.operators.push_back({{"right", {}}, {1}, {3}, {}, 3});
   task.initial = {0};
   const task::State state = task::initialState(task);
-  Ff ff(task, {2, 3});
+  Ff ff(task, task::FactSet{2, 3});
   EXPECT_EQ(ff.evaluate(state.data()), 6);
   EXPECT_EQ(ff.preferred(), (std::vector<task::OperatorId>{0}));
 }

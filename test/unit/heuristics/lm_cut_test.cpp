@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <optional>
+#include <vector>
 
 #include "oracles/heuristics.h"
 #include "oracles/random_task.h"
@@ -20,7 +21,9 @@ using task::Task;
 
 RC_GTEST_PROP(LmCut, LiesBetweenHMaxAndTheOptimalCost, ()) {
   RandomSource random = oracles::anySource();
-  const Task task = oracles::randomTask(random);
+  oracles::TaskSize size;
+  size.conditional = false;  // with conditional effects LM-cut may fall below h_max
+  const Task task = oracles::randomTask(random, size);
   const task::FactSet goal = oracles::randomGoal(random, task);
   LmCut lm_cut(task, goal);
   for (const auto& [facts, way] : oracles::reachable(task, oracles::initialFacts(task))) {
@@ -31,6 +34,61 @@ RC_GTEST_PROP(LmCut, LiesBetweenHMaxAndTheOptimalCost, ()) {
     RC_ASSERT(h >= *h_max);
     const std::optional<Cost> best = oracles::optimalCost(task, facts, goal);
     if (best) RC_ASSERT(h <= *best);
+  }
+}
+
+/// Every plan contains an operator of each landmark, and no operator pays more than its cost.
+bool areLandmarks(const Landmarks& landmarks, const Task& task, const Facts& state,
+                  const task::Goal& goal) {
+  std::vector<Cost> paid(task.operators.size(), 0);
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    Task without = task;
+    for (const task::OperatorId op : landmarks[i]) {
+      paid[op] += landmarks[i].cost;
+      without.operators[op].precondition = {static_cast<task::FactId>(task.facts.size())};
+    }
+    if (oracles::optimalCost(without, state, goal)) return false;
+  }
+  for (task::OperatorId op = 0; op < task.operators.size(); ++op) {
+    if (paid[op] > task.operators[op].cost) return false;
+  }
+  return true;
+}
+
+RC_GTEST_PROP(LmCut, IsTheCostOfTrueLandmarks, ()) {
+  RandomSource random = oracles::anySource();
+  const Task task = oracles::randomTask(random);
+  const task::Goal goal = oracles::randomAlternatives(random, task);
+  LmCut lm_cut(task, goal);
+  for (const auto& [facts, way] : oracles::reachable(task, oracles::initialFacts(task))) {
+    const Cost h = lm_cut.evaluate(oracles::stateOf(task, facts).data());
+    const std::optional<Cost> best = oracles::optimalCost(task, facts, goal);
+    if (best) RC_ASSERT(h <= *best);
+    if (h == kInfinity) continue;
+    RC_ASSERT(h == lm_cut.landmarks().total());
+    RC_ASSERT(areLandmarks(lm_cut.landmarks(), task, facts, goal));
+  }
+}
+
+RC_GTEST_PROP(LmCut, InheritsTrueLandmarks, ()) {
+  RandomSource random = oracles::anySource();
+  const Task task = oracles::randomTask(random);
+  const task::Goal goal = oracles::randomAlternatives(random, task);
+  LmCut lm_cut(task, goal);
+  Facts facts = oracles::initialFacts(task);
+  Cost h = lm_cut.evaluate(oracles::stateOf(task, facts).data());
+  for (int step = 0; step < 8 && h != kInfinity; ++step) {
+    const auto applicable = oracles::applicableOperators(task, facts);
+    if (applicable.empty()) break;
+    const task::OperatorId op = applicable[random.below(applicable.size())];
+    const Landmarks before = lm_cut.landmarks();
+    facts = oracles::successor(task.operators[op], facts);
+    h = lm_cut.evaluate(oracles::stateOf(task, facts).data(), before, op);
+    RC_ASSERT((h == kInfinity) ==
+              (LmCut(task, goal).evaluate(oracles::stateOf(task, facts).data()) == kInfinity));
+    if (h == kInfinity) break;
+    RC_ASSERT(h == lm_cut.landmarks().total());
+    RC_ASSERT(areLandmarks(lm_cut.landmarks(), task, facts, goal));
   }
 }
 
@@ -85,7 +143,7 @@ TEST(LmCut, AddsUpLandmarksThatHMaxCannot) {
   task.initial = {0};
   const Facts initial = oracles::initialFacts(task);
   EXPECT_EQ(oracles::hMax(task, initial, {1, 2}), 4);
-  EXPECT_EQ(LmCut(task, {1, 2}).evaluate(oracles::stateOf(task, initial).data()), 7);
+  EXPECT_EQ(LmCut(task, task::FactSet{1, 2}).evaluate(oracles::stateOf(task, initial).data()), 7);
 }
 
 TEST(LmCut, CostsBeyondTheBucketsOfItsQueueAreExact) {
@@ -96,13 +154,13 @@ TEST(LmCut, CostsBeyondTheBucketsOfItsQueueAreExact) {
   task.operators.push_back({{"c", {}}, {2}, {3}, {}, 70'000});
   task.initial = {0};
   const task::State state = task::initialState(task);
-  EXPECT_EQ(LmCut(task, {3}).evaluate(state.data()), 1'000'000'070'005);
+  EXPECT_EQ(LmCut(task, task::FactSet{3}).evaluate(state.data()), 1'000'000'070'005);
 }
 
 TEST(LmCut, AnEmptyGoalCostsNothing) {
   RandomSource random(1);
   const Task task = oracles::randomTask(random);
-  EXPECT_EQ(LmCut(task, {}).evaluate(task::initialState(task).data()), 0);
+  EXPECT_EQ(LmCut(task, task::FactSet{}).evaluate(task::initialState(task).data()), 0);
 }
 
 }  // namespace

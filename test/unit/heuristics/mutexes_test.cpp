@@ -31,7 +31,9 @@ std::set<Pair> possible(const Task& task, const MutexTable& table) {
 
 RC_GTEST_PROP(MutexTable, EqualsTheDefinitionOfH2, ()) {
   RandomSource random = oracles::anySource();
-  const Task task = oracles::randomTask(random);
+  oracles::TaskSize size;
+  size.conditional = false;
+  const Task task = oracles::randomTask(random, size);
   const MutexTable table(task, {});
   RC_ASSERT(possible(task, table) == oracles::possiblePairs(task));
   for (FactId f = 0; f < task.facts.size(); ++f) {
@@ -61,7 +63,7 @@ RC_GTEST_PROP(MutexTable, NeverRulesOutWhatIsReachable, ()) {
 // Rows of several words, and operators without preconditions among the others.
 RC_GTEST_PROP(MutexTable, EqualsTheDefinitionBeyondOneWord, ()) {
   RandomSource random = oracles::anySource();
-  const Task task = oracles::randomTask(random, {63, 66, 30, 50});
+  const Task task = oracles::randomTask(random, {63, 66, 30, 50, 3, 0, false});
   RC_ASSERT(possible(task, MutexTable(task, {})) == oracles::possiblePairs(task));
 }
 
@@ -105,14 +107,16 @@ TEST(MutexTable, StopsAtItsLimits) {
   Limits limits;
   limits.cancel = &token;
   EXPECT_THROW(MutexTable(task, limits), LimitReached);
+}
+
+TEST(MutexTable, KnowsNothingWhereItWouldNotFit) {
+  const Task task = oneToken();
   Limits narrow;
   narrow.bytes = 8;
-  try {
-    const MutexTable table(task, narrow);
-    FAIL() << "the table fits nowhere";
-  } catch (const LimitReached& reached) {
-    EXPECT_EQ(reached.reason(), LimitReason::Memory);
-  }
+  const MutexTable table(task, narrow);
+  EXPECT_FALSE(table.known());
+  EXPECT_FALSE(table.contains(task::FactSet{0, 1, 2}));
+  EXPECT_EQ(table.withoutInapplicable(task).operators.size(), task.operators.size());
 }
 
 }  // namespace

@@ -49,8 +49,9 @@ RC_GTEST_PROP(RelaxedTask, LeavesOutOnlyWhatIsIrrelevant, ()) {
   const RelaxedTask relaxed(task, goal);
   task::Task relevant = task;
   relevant.operators.clear();
-  for (const task::OperatorId op : relaxed.origin)
-    relevant.operators.push_back(task.operators[op]);
+  for (task::OperatorId op = 0; op < task.operators.size(); ++op) {
+    if (relaxed.parts.size(op) > 0) relevant.operators.push_back(task.operators[op]);
+  }
   const oracles::Facts initial = oracles::initialFacts(task);
   RC_ASSERT(oracles::hMax(relevant, initial, goal) == oracles::hMax(task, initial, goal));
 }
@@ -61,13 +62,26 @@ TEST(RelaxedTask, LeavesOutWhatDoesNotLeadToTheGoal) {
   task.operators.push_back({{"useful", {}}, {}, {1}, {}, 4});
   task.operators.push_back({{"useless", {}}, {1}, {2}, {}, 1});
   task.operators.push_back({{"last", {}}, {1}, {3}, {1}, 2});
-  const RelaxedTask relaxed(task, {3});
+  const RelaxedTask relaxed(task, task::FactSet{3});
   EXPECT_EQ(relaxed.origin, (std::vector<task::OperatorId>{0, 2}));
   EXPECT_EQ(relaxed.cost, (std::vector<task::Cost>{4, 2, 0}));
   EXPECT_EQ(list(relaxed.preconditions, 0), std::vector<std::uint32_t>{relaxed.true_fact});
-  EXPECT_EQ(list(relaxed.preconditions, relaxed.goal_operator), std::vector<std::uint32_t>{3});
-  EXPECT_EQ(list(relaxed.effects, relaxed.goal_operator),
+  EXPECT_EQ(list(relaxed.preconditions, relaxed.first_goal_operator),
+            std::vector<std::uint32_t>{3});
+  EXPECT_EQ(list(relaxed.effects, relaxed.first_goal_operator),
             std::vector<std::uint32_t>{relaxed.goal_fact});
+}
+
+TEST(RelaxedTask, TakesConditionalEffectsApart) {
+  task::Task task;
+  task.facts.resize(4);
+  task.operators.push_back({{"both", {}}, {0}, {1}, {}, 2, {{{1}, {2}, {}}, {{2}, {}, {1}}}});
+  const RelaxedTask relaxed(task, task::Goal(std::vector<task::FactSet>{{1, 2}, {3}}));
+  EXPECT_TRUE(relaxed.several_parts);
+  EXPECT_EQ(list(relaxed.parts, 0), (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(list(relaxed.preconditions, 1), (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(list(relaxed.effects, 1), (std::vector<std::uint32_t>{2}));
+  EXPECT_EQ(relaxed.operator_count, relaxed.first_goal_operator + 2);
 }
 
 }  // namespace

@@ -15,17 +15,12 @@ namespace {
 using task::Cost;
 using task::Task;
 
-Result solve(const Task& task, const task::FactSet& goal, const Limits& limits = {},
-             Cost upper_bound = heuristics::kInfinity) {
-  return astar(task, SuccessorGenerator(task), goal, limits, upper_bound);
-}
-
 RC_GTEST_PROP(AStar, FindsDijkstrasCost, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);
-  const task::FactSet goal = oracles::randomGoal(random, task);
+  const task::Goal goal = oracles::randomAlternatives(random, task);
   const auto best = oracles::optimalCost(task, oracles::initialFacts(task), goal);
-  const Result result = solve(task, goal);
+  const Result result = astar(task, goal, {});
   RC_ASSERT(result.status == (best ? Status::Solved : Status::Unsolvable));
   RC_ASSERT(result.limit == LimitReason::None);
   if (!best) return;
@@ -36,11 +31,11 @@ RC_GTEST_PROP(AStar, FindsDijkstrasCost, ()) {
 RC_GTEST_PROP(AStar, AnUpperBoundHidesPlansThatCostAsMuch, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);
-  const task::FactSet goal = oracles::randomGoal(random, task);
+  const task::Goal goal = oracles::randomAlternatives(random, task);
   const auto best = oracles::optimalCost(task, oracles::initialFacts(task), goal);
   RC_PRE(best.has_value());
-  RC_ASSERT(solve(task, goal, {}, *best).status == Status::Unsolvable);
-  const Result just = solve(task, goal, {}, *best + 1);
+  RC_ASSERT(astar(task, goal, {}, *best).status == Status::Unsolvable);
+  const Result just = astar(task, goal, {}, *best + 1);
   RC_ASSERT(just.status == Status::Solved);
   RC_ASSERT(just.cost == *best);
 }
@@ -49,10 +44,10 @@ RC_GTEST_PROP(AStar, AnUpperBoundHidesPlansThatCostAsMuch, ()) {
 RC_GTEST_PROP(AStar, NeverMistakesALimitForAProof, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);
-  const task::FactSet goal = oracles::randomGoal(random, task);
+  const task::Goal goal = oracles::randomAlternatives(random, task);
   const auto best = oracles::optimalCost(task, oracles::initialFacts(task), goal);
   const std::uint64_t states = random.below(30);
-  const Result result = solve(task, goal, Limits{}.withStates(states));
+  const Result result = astar(task, goal, Limits{}.withStates(states));
   RC_ASSERT((result.status == Status::LimitReached) == (result.limit != LimitReason::None));
   if (result.status == Status::Solved) RC_ASSERT(result.cost == best.value());
   if (result.status == Status::Unsolvable) RC_ASSERT(!best.has_value());
@@ -62,16 +57,16 @@ RC_GTEST_PROP(AStar, NeverMistakesALimitForAProof, ()) {
 RC_GTEST_PROP(AStar, IsDeterministic, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);
-  const task::FactSet goal = oracles::randomGoal(random, task);
-  const Result first = solve(task, goal);
-  const Result second = solve(task, goal);
+  const task::Goal goal = oracles::randomAlternatives(random, task);
+  const Result first = astar(task, goal, {});
+  const Result second = astar(task, goal, {});
   RC_ASSERT(first.plan == second.plan);
   RC_ASSERT(first.statistics.expanded == second.statistics.expanded);
 }
 
 TEST(AStar, StopsAfterTheGivenStates) {
   const Task task = samples::switches(12);
-  const Result result = solve(task, samples::impossible(), Limits{}.withStates(100));
+  const Result result = astar(task, samples::allOnAndOneOff(12), Limits{}.withStates(100));
   EXPECT_EQ(result.status, Status::LimitReached);
   EXPECT_EQ(result.limit, LimitReason::States);
   EXPECT_EQ(result.statistics.generated, 101U);
@@ -81,7 +76,7 @@ TEST(AStar, StopsAboveTheGivenBytes) {
   const Task task = samples::switches(16);
   Limits limits;
   limits.bytes = 500'000;
-  const Result result = solve(task, samples::impossible(), limits);
+  const Result result = astar(task, samples::allOnAndOneOff(16), limits);
   EXPECT_EQ(result.status, Status::LimitReached);
   EXPECT_EQ(result.limit, LimitReason::Memory);
 }
@@ -92,7 +87,7 @@ TEST(AStar, StopsAtTheFirstStateOnceCancelled) {
   token.cancel();
   Limits limits;
   limits.cancel = &token;
-  const Result result = solve(task, samples::impossible(), limits);
+  const Result result = astar(task, samples::allOnAndOneOff(12), limits);
   EXPECT_EQ(result.status, Status::LimitReached);
   EXPECT_EQ(result.limit, LimitReason::Cancelled);
   EXPECT_EQ(result.statistics.generated, 1U);
@@ -100,20 +95,26 @@ TEST(AStar, StopsAtTheFirstStateOnceCancelled) {
 
 TEST(AStar, StopsAtAPastDeadline) {
   const Task task = samples::switches(12);
-  const Result result = solve(task, samples::impossible(), Limits{}.withSeconds(-1));
+  const Result result = astar(task, samples::allOnAndOneOff(12), Limits{}.withSeconds(-1));
   EXPECT_EQ(result.status, Status::LimitReached);
   EXPECT_EQ(result.limit, LimitReason::Time);
   EXPECT_LE(result.statistics.generated, 16U);
 }
 
 TEST(AStar, ProvesWhatNothingReaches) {
-  const Result result = solve(samples::switches(6), samples::impossible());
+  const Result result = astar(samples::switches(6), samples::allOnAndOneOff(6), {});
   EXPECT_EQ(result.status, Status::Unsolvable);
   EXPECT_EQ(result.statistics.expanded, 64U);
 }
 
+TEST(AStar, LooksAtWhatTheGoalNeedsAlone) {
+  const Result result = astar(samples::switches(12), samples::impossible(), {});
+  EXPECT_EQ(result.status, Status::Unsolvable);
+  EXPECT_EQ(result.statistics.expanded, 2U) << "eleven switches don't matter";
+}
+
 TEST(AStar, AGoalThatHoldsNeedsNoPlan) {
-  const Result result = solve(samples::switches(3), {0, 2});
+  const Result result = astar(samples::switches(3), task::FactSet{0, 2}, {});
   EXPECT_EQ(result.status, Status::Solved);
   EXPECT_TRUE(result.plan.empty());
   EXPECT_EQ(result.cost, 0);

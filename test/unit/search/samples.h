@@ -31,10 +31,18 @@ inline task::FactSet impossible() {
   return {0, 1};
 }
 
+/// The same, to which every switch is relevant.
+inline task::FactSet allOnAndOneOff(std::size_t bits) {
+  task::FactSet goal = {0};
+  for (task::FactId i = 0; i < bits; ++i)
+    goal.push_back(2 * i + 1);
+  return goal;
+}
+
 /// The result's plan runs, satisfies the goal and costs what the result says.
-inline bool valid(const task::Task& task, const task::FactSet& goal, const Result& result) {
+inline bool valid(const task::Task& task, const task::Goal& goal, const Result& result) {
   const auto end = oracles::execute(task, result.plan);
-  return end && oracles::holds(goal, *end) && task::cost(task, result.plan) == result.cost;
+  return end && oracles::satisfies(goal, *end) && task::cost(task, result.plan) == result.cost;
 }
 
 }  // namespace goal_alignment::search::samples

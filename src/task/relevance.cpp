@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/task/relevance.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace goal_alignment::task {
+
+namespace {
+
+/// Walks from the goal's facts to the operators that add them, and on to what these need.
+class BackwardReachability {
+ public:
+  explicit BackwardReachability(const Task& task) : task_(task), adders_(task.facts.size()) {
+    found_.facts.assign(task.facts.size(), false);
+    found_.operators.assign(task.operators.size(), false);
+    for (OperatorId op = 0; op < task.operators.size(); ++op) {
+      for (const FactId fact : task.operators[op].add)
+        adders_[fact].push_back({op, nullptr});
+      for (const ConditionalEffect& effect : task.operators[op].conditional) {
+        for (const FactId fact : effect.add)
+          adders_[fact].push_back({op, &effect});
+      }
+    }
+  }
+
+  Relevance from(const Goal& goal) {
+    for (const FactSet& alternative : goal.alternatives)
+      need(alternative);
+    while (!open_.empty()) {
+      const FactId fact = open_.back();
+      open_.pop_back();
+      for (const auto& [op, effect] : adders_[fact]) {
+        if (effect != nullptr) need(effect->condition);
+        if (found_.operators[op]) continue;
+        found_.operators[op] = true;
+        need(task_.operators[op].precondition);
+        // What it deletes besides must stay avoidable.
+        for (const ConditionalEffect& other : task_.operators[op].conditional) {
+          if (!other.del.empty()) need(other.condition);
+        }
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  struct Adder {
+    OperatorId op;
+    const ConditionalEffect* effect;  // null: adds it in any case
+  };
+
+  void need(const FactSet& facts) {
+    for (const FactId fact : facts) {
+      if (!found_.facts[fact]) open_.push_back(fact);
+      found_.facts[fact] = true;
+    }
+  }
+
+  const Task& task_;
+  std::vector<std::vector<Adder>> adders_;
+  Relevance found_;
+  std::vector<FactId> open_;
+};
+
+constexpr FactId kDropped = static_cast<FactId>(-1);
+
+class Projector {
+ public:
+  Projector(const Task& task, const Goal& goal) : task_(task), goal_(goal) {}
+
+  Projection run() {
+    const Relevance relevant = relevance(task_, goal_);
+    number(relevant.facts);
+    for (OperatorId op = 0; op < task_.operators.size(); ++op) {
+      if (relevant.operators[op]) addOperator(op);
+    }
+    result_.task.initial = mapped(task_.initial);
+    for (const FactSet& alternative : goal_.alternatives)
+      result_.goal.alternatives.push_back(mapped(alternative));
+    return std::move(result_);
+  }
+
+ private:
+  using Key =
+      std::tuple<FactSet, FactSet, FactSet, std::vector<std::tuple<FactSet, FactSet, FactSet>>>;
+
+  void number(const std::vector<bool>& relevant) {
+    number_.assign(task_.facts.size(), kDropped);
+    for (FactId fact = 0; fact < task_.facts.size(); ++fact) {
+      if (!relevant[fact]) continue;
+      number_[fact] = static_cast<FactId>(result_.task.facts.size());
+      result_.task.facts.push_back(task_.facts[fact]);
+    }
+  }
+
+  FactSet mapped(const FactSet& facts) const {
+    FactSet result;
+    for (const FactId fact : facts) {
+      if (number_[fact] != kDropped) result.push_back(number_[fact]);
+    }
+    return result;
+  }
+
+  void addOperator(OperatorId id) {
+    const Operator& original = task_.operators[id];
+    Operator op;
+    op.precondition = mapped(original.precondition);
+    op.add = mapped(original.add);
+    op.del = mapped(original.del);
+    op.cost = original.cost;
+    for (const ConditionalEffect& effect : original.conditional)
+      addEffect(effect, op);
+    const auto id_here = static_cast<OperatorId>(result_.origin.size());
+    const auto [same, is_new] = known_.emplace(keyOf(op), id_here);
+    if (is_new) {
+      result_.task.operators.push_back(std::move(op));
+      result_.origin.push_back(id);
+    } else if (op.cost < result_.task.operators[same->second].cost) {
+      result_.task.operators[same->second].cost = op.cost;
+      result_.origin[same->second] = id;
+    }
+  }
+
+  void addEffect(const ConditionalEffect& effect, Operator& op) const {
+    ConditionalEffect kept = {mapped(effect.condition), mapped(effect.add), mapped(effect.del)};
+    if (kept.add.empty() && kept.del.empty()) return;
+    op.conditional.push_back(std::move(kept));
+  }
+
+  static Key keyOf(const Operator& op) {
+    Key key = {op.precondition, op.add, op.del, {}};
+    for (const ConditionalEffect& effect : op.conditional)
+      std::get<3>(key).emplace_back(effect.condition, effect.add, effect.del);
+    return key;
+  }
+
+  const Task& task_;
+  const Goal& goal_;
+  std::vector<FactId> number_;
+  std::map<Key, OperatorId> known_;
+  Projection result_;
+};
+
+}  // namespace
+
+Relevance relevance(const Task& task, const Goal& goal) {
+  return BackwardReachability(task).from(goal);
+}
+
+Projection project(const Task& task, const Goal& goal) {
+  return Projector(task, goal).run();
+}
+
+Plan Projection::original(const Plan& plan) const {
+  Plan result;
+  result.reserve(plan.size());
+  for (const OperatorId op : plan)
+    result.push_back(origin[op]);
+  return result;
+}
+
+}  // namespace goal_alignment::task
