@@ -4,6 +4,7 @@ find_package(fmt REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(Boost REQUIRED)
 find_package(Threads REQUIRED)
+find_package(TBB REQUIRED)
 
 set(core_floors
   common pddl task validation grounding heuristics search achievability alignment questions session
@@ -25,4 +26,4 @@ target_include_directories(goal_alignment_core PUBLIC
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
 target_compile_options(goal_alignment_core PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
 target_link_libraries(goal_alignment_core PUBLIC Boost::boost Threads::Threads
-  PRIVATE fmt::fmt yaml-cpp)
+  PRIVATE fmt::fmt yaml-cpp TBB::tbb)

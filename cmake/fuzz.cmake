@@ -16,7 +16,7 @@ add_library(goal_alignment_fuzzed STATIC EXCLUDE_FROM_ALL ${fuzz_sources})
 target_include_directories(goal_alignment_fuzzed PUBLIC ${PROJECT_SOURCE_DIR}/include)
 target_compile_options(goal_alignment_fuzzed PUBLIC
   ${fuzz_flags} -fsanitize=fuzzer-no-link,address,undefined)
-target_link_libraries(goal_alignment_fuzzed PUBLIC Boost::boost Threads::Threads fmt::fmt yaml-cpp)
+target_link_libraries(goal_alignment_fuzzed PUBLIC Boost::boost Threads::Threads fmt::fmt yaml-cpp TBB::tbb)
 
 add_custom_target(fuzzers)
 foreach(target pddl plan yaml)

@@ -194,6 +194,12 @@ search::Result Achievability::optimalPlan(const CandidateSet& set, const Limits&
   return search::astar(task_, goalFacts(set), limits);
 }
 
+search::Improved Achievability::improvedPlan(const CandidateSet& set, const task::Plan& plan,
+                                             const Limits& limits) {
+  ++planner_calls_;
+  return search::improve(task_, *successors_, goalFacts(set), plan, limits);
+}
+
 Verdict Achievability::reachableAlone(std::size_t candidate, const Limits& limits) {
   if (reached_.test(candidate)) return Verdict::Achievable;
   if (never_true_.test(candidate) || exhaustive_complete_) return Verdict::Unachievable;

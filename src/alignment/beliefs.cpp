@@ -8,8 +8,10 @@
 #include <optional>
 
 #include "goal_alignment/common/exceptions.h"
+#include "goal_alignment/common/parallel.h"
 #include "goal_alignment/grounding/grounder.h"
 #include "goal_alignment/search/astar.h"
+#include "goal_alignment/task/state.h"
 
 namespace goal_alignment::alignment {
 
@@ -39,50 +41,134 @@ std::vector<Cost> prefixCosts(const Problem& problem, bool unit_costs) {
   return costs;
 }
 
-/// The optimal costs of G^H and one fact more in the human model, each fact searched for once.
+/// Searches for less would find little: the bounds do as well.
+constexpr std::uint64_t kLeastStates = 20;
+/// The relaxed operators that all evaluations of LM-cut may look at together: about a second.
+constexpr std::uint64_t kEvaluationWork = 200'000'000;
+
+/// The optimal costs of G^H and one fact more in the human model. All searches share the bounds:
+/// none costs less than G^H alone, none more than the cheapest prefix of π^H, or of any plan found,
+/// that achieves it.
 class HumanCosts {
  public:
-  HumanCosts(const Problem& problem, bool unit_costs, const Limits& limits, std::uint64_t states)
+  HumanCosts(const Problem& problem, const CostOptions& options, const Limits& limits)
       : problem_(problem),
-        prefix_costs_(prefixCosts(problem, unit_costs)),
-        human_(grounding::ground(problem.human, problem.specified, {unit_costs}, limits)),
-        search_limits_(limits.withStates(states)) {
+        threads_(options.threads),
+        prefix_costs_(prefixCosts(problem, options.unit_costs)),
+        human_(grounding::ground(problem.human, problem.specified, {options.unit_costs}, limits)),
+        search_limits_(limits) {
     for (const Literal& literal : problem.specified) {
       const FactStatus status = human_.status(literal);
       if (status.kind == FactStatus::Kind::Variable) goal_.push_back(status.fact);
     }
+    collectQueries();
+    const std::uint64_t size = std::max<std::size_t>(1, human_.task.operators.size());
+    std::uint64_t states = options.states_per_search;
+    if (options.bounds_may_do) {
+      states = std::min(states, kEvaluationWork / (size * queries_.size()));
+      if (states < kLeastStates) states = 0;
+    }
+    search_limits_ = limits.withStates(states);
   }
 
-  Cost humanPlanCost() const { return prefix_costs_.back(); }
-
-  Cost optimal(const Literal& fluent, CostDifferences& progress) {
-    const FactStatus status = human_.status(fluent);
-    std::optional<task::FactId> key;
-    if (status.kind == FactStatus::Kind::Variable) key = status.fact;
-    if (const auto known = costs_.find(key); known != costs_.end()) return known->second;
-    const Cost cost = search(fluent, key, progress);
-    costs_.emplace(key, cost);
-    return cost;
+  CostDifferences run() {
+    CostDifferences result;
+    if (search_limits_.states > 0) {
+      searchBatch({0}, result);
+      for (Query& query : queries_)
+        query.lower = std::max(query.lower, queries_[0].lower);
+      for (std::size_t next = 1; next < queries_.size();)
+        searchBatch(nextBatch(next), result);
+    }
+    for (const Query& query : queries_)
+      result.exact = result.exact && query.lower >= query.upper;
+    for (const std::size_t query : query_of_) {
+      const Cost difference = prefix_costs_.back() - queries_[query].upper;
+      result.values.push_back(std::abs(static_cast<double>(difference)));
+    }
+    return result;
   }
 
  private:
-  Cost search(const Literal& fluent, std::optional<task::FactId> fact, CostDifferences& progress) {
-    task::FactSet goal = goal_;
-    if (fact) goal.push_back(*fact);
-    goal = task::makeFactSet(std::move(goal));
-    const Cost bound = cheapestPrefix(fluent);
+  /// One goal to cost; what is sought lies between the bounds.
+  struct Query {
+    std::optional<task::FactId> fact;  // nothing: G^H alone
+    Cost lower;
+    Cost upper;
+  };
+
+  /// Candidates that never change share the query for G^H alone, which comes first.
+  void collectQueries() {
+    queries_.push_back({std::nullopt, 0, cheapestPrefix(nullptr)});
+    std::map<task::FactId, std::size_t> known;
+    for (const Candidate& candidate : problem_.candidates) {
+      const FactStatus status = human_.status(candidate.fluent);
+      if (status.kind != FactStatus::Kind::Variable) {
+        query_of_.push_back(0);
+        continue;
+      }
+      const auto [query, is_new] = known.emplace(status.fact, queries_.size());
+      query_of_.push_back(query->second);
+      if (is_new) queries_.push_back({status.fact, 0, cheapestPrefix(&candidate.fluent)});
+    }
+  }
+
+  /// The next few queries that the bounds leave open.
+  std::vector<std::size_t> nextBatch(std::size_t& next) const {
+    std::vector<std::size_t> batch;
+    for (; next < queries_.size() && batch.size() < kBatch; ++next) {
+      if (queries_[next].lower < queries_[next].upper) batch.push_back(next);
+    }
+    return batch;
+  }
+
+  void searchBatch(const std::vector<std::size_t>& batch, CostDifferences& progress) {
+    std::vector<search::Result> results(batch.size());
+    inParallel(batch.size(), threads_, [&](std::size_t i) {
+      const Query& query = queries_[batch[i]];
+      task::FactSet goal = goal_;
+      if (query.fact) goal.push_back(*query.fact);
+      results[i] = search::astar(human_.task, task::makeFactSet(std::move(goal)), search_limits_,
+                                 {query.lower, query.upper});
+    });
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      settle(queries_[batch[i]], results[i], progress);
+  }
+
+  void settle(Query& query, const search::Result& result, CostDifferences& progress) {
     ++progress.planner_calls;
-    const search::Result result =
-        search::astar(human_.task, goal, search_limits_, bound);
     if (result.limit == LimitReason::Cancelled) throw LimitReached(result.limit, "the beliefs");
-    if (result.status == search::Status::LimitReached) progress.exact = false;
-    return result.status == search::Status::Solved ? result.cost : bound;
+    if (result.status == search::Status::LimitReached) return;
+    if (result.status == search::Status::Solved) {
+      query.upper = result.cost;
+      learnFrom(result.plan);
+    }
+    query.lower = query.upper;
+  }
+
+  /// Every state of a plan that satisfies G^H bounds the costs of all that is true there.
+  void learnFrom(const task::Plan& plan) {
+    task::State state = task::initialState(human_.task);
+    Cost cost = 0;
+    for (std::size_t step = 0;; ++step) {
+      if (task::contains(state.data(), goal_)) {
+        for (Query& query : queries_) {
+          if (!query.fact || task::testBit(state.data(), *query.fact))
+            query.upper = std::min(query.upper, cost);
+        }
+      }
+      if (step == plan.size()) break;
+      const task::Operator& op = human_.task.operators[plan[step]];
+      const task::State before = state;
+      task::apply(op, before.data(), state.size(), state.data());
+      cost += op.cost;
+    }
   }
 
   /// π^H itself achieves every candidate, so there always is one.
-  Cost cheapestPrefix(const Literal& fluent) const {
+  Cost cheapestPrefix(const Literal* fluent) const {
     std::vector<Literal> wanted = problem_.specified;
-    wanted.push_back(fluent);
+    if (fluent != nullptr) wanted.push_back(*fluent);
     const auto& states = problem_.expectation.states;
     std::size_t i = 0;
     while (!validation::unsatisfied(problem_.human, states[i], wanted).empty())
@@ -91,25 +177,20 @@ class HumanCosts {
   }
 
   const Problem& problem_;
+  int threads_;
   std::vector<Cost> prefix_costs_;
   grounding::GroundTask human_;
   Limits search_limits_;
   task::FactSet goal_;
-  std::map<std::optional<task::FactId>, Cost> costs_;  // nothing: G^H alone
+  std::vector<Query> queries_;
+  std::vector<std::size_t> query_of_;  // by candidate
 };
 
 }  // namespace
 
-CostDifferences costDifferences(const Problem& problem, bool unit_costs, const Limits& limits,
-                                std::uint64_t states_per_search) {
-  HumanCosts costs(problem, unit_costs, limits, states_per_search);
-  CostDifferences result;
-  result.values.reserve(problem.candidates.size());
-  for (const Candidate& candidate : problem.candidates) {
-    const Cost difference = costs.humanPlanCost() - costs.optimal(candidate.fluent, result);
-    result.values.push_back(std::abs(static_cast<double>(difference)));
-  }
-  return result;
+CostDifferences costDifferences(const Problem& problem, const CostOptions& options,
+                                const Limits& limits) {
+  return HumanCosts(problem, options, limits).run();
 }
 
 std::vector<double> beliefs(const Problem& problem, const std::vector<double>& differences,

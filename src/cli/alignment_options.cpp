@@ -75,8 +75,6 @@ void AlignmentWords::add(CLI::App& command) {
 session::Options AlignmentWords::options() const {
   if (group > 1) throw NotYet("--group " + std::to_string(group));
   if (negative_candidates) throw NotYet("--negative-candidates");
-  if (threads > 1) throw NotYet("--threads " + std::to_string(threads));
-  if (plan == "anytime") throw NotYet("--plan anytime");
   if (group < 1) throw CLI::ValidationError("--group", "expected 1 or more");
   if (threads < 1) throw CLI::ValidationError("--threads", "expected 1 or more");
   if (time_limit < 0) throw CLI::ValidationError("--time-limit", "expected seconds, 0 for none");
@@ -92,9 +90,11 @@ session::Options AlignmentWords::options() const {
                                                          {"defer", session::UnsurePolicy::Defer},
                                                          {"abort", session::UnsurePolicy::Abort}},
                                                         unsure_policy, "--unsure-policy");
-  options.plan = lookUp<session::PlanMode>(
-      {{"first", session::PlanMode::First}, {"optimal", session::PlanMode::Optimal}}, plan,
-      "--plan");
+  options.plan = lookUp<session::PlanMode>({{"first", session::PlanMode::First},
+                                            {"optimal", session::PlanMode::Optimal},
+                                            {"anytime", session::PlanMode::Anytime}},
+                                           plan, "--plan");
+  options.threads = threads;
   options.costs = costs;
   options.static_candidates = !no_static;
   if (time_limit > 0) options.time_limit = time_limit;

@@ -19,6 +19,7 @@ constexpr double kLongestAskTimeout = 604800;  // a week
 constexpr double kLongestTimeLimit = 86400;
 constexpr double kLongestExpiry = 31536000;  // a year
 constexpr int kMostRetries = 1000;
+constexpr int kMostThreads = 256;
 
 void readBelief(ParameterReader& reader, alignment::BeliefOptions& belief) {
   std::string mode = "normalised";
@@ -60,7 +61,9 @@ void readSession(ParameterReader& reader, session::Options& options) {
   options.conflicts = full ? session::ConflictMode::Full : session::ConflictMode::Lazy;
   options.unsure_policy = static_cast<session::UnsurePolicy>(
       reader.readChoice("unsure_policy", {"as-yes", "defer", "abort"}, 0));
-  options.plan = static_cast<session::PlanMode>(reader.readChoice("plan", {"first", "optimal"}, 0));
+  options.plan =
+      static_cast<session::PlanMode>(reader.readChoice("plan", {"first", "optimal", "anytime"}, 0));
+  reader.read("threads", options.threads, 1, kMostThreads);
   reader.read("costs", options.costs);
   reader.read("static_candidates", options.static_candidates);
   reader.read("time_limit", options.time_limit, 0.01, kLongestTimeLimit);

@@ -54,11 +54,11 @@ class OpenList {
 
 class AStar {
  public:
-  AStar(const task::Task& task, const task::Goal& goal, const Limits& limits, Cost upper_bound)
+  AStar(const task::Task& task, const task::Goal& goal, const Limits& limits, const Bounds& bounds)
       : task_(task),
         successors_(task),
         goal_(goal),
-        upper_bound_(upper_bound),
+        bounds_(bounds),
         monitor_(limits),
         heuristic_(task, goal, limits.cancel),
         space_(task),
@@ -94,27 +94,29 @@ class AStar {
 
   void push(StateId id) {
     const Node& node = nodes_[id];
-    if (node.h == kInfinity || node.g + node.h >= upper_bound_) return;
+    if (node.h == kInfinity || node.g + node.h >= bounds_.upper) return;
     open_.push(node.g + node.h, node.h, id);
   }
 
   /// A plan is known: only what is cheaper is of interest from now on.
   void noteGoal(StateId id) {
-    if (nodes_[id].g >= upper_bound_) return;
-    upper_bound_ = nodes_[id].g;
+    if (nodes_[id].g >= bounds_.upper) return;
+    bounds_.upper = nodes_[id].g;
     best_goal_ = id;
   }
 
   Status search() {
     while (!open_.empty()) {
       const auto [f, id] = open_.pop();
-      if (f >= upper_bound_) break;
+      if (std::max(f, bounds_.lower) >= bounds_.upper) break;
       Node& node = nodes_[id];
       if (node.closed || f > node.g + node.h) continue;  // met again on a cheaper way since
       if (!node.evaluated) evaluate(id);
       if (node.h == kInfinity) continue;
       if (f < node.g + node.h) {
         push(id);
+        result_.limit = monitor_.poll();
+        if (result_.limit != LimitReason::None) return Status::LimitReached;
         continue;
       }
       node.closed = true;
@@ -186,7 +188,7 @@ class AStar {
   const task::Task& task_;
   SuccessorGenerator successors_;
   const task::Goal& goal_;
-  Cost upper_bound_;
+  Bounds bounds_;
   LimitMonitor monitor_;
   heuristics::LmCut heuristic_;
   SearchSpace space_;
@@ -202,9 +204,9 @@ class AStar {
 }  // namespace
 
 Result astar(const task::Task& task, const task::Goal& goal, const Limits& limits,
-             Cost upper_bound) {
+             const Bounds& bounds) {
   const task::Projection projection = task::project(task, goal);
-  Result result = AStar(projection.task, projection.goal, limits, upper_bound).run();
+  Result result = AStar(projection.task, projection.goal, limits, bounds).run();
   result.plan = projection.original(result.plan);
   return result;
 }

@@ -28,11 +28,11 @@ struct Edge {
   OperatorId op;
 };
 
-/// Ordered by the h of the edge's start; first in, first out.
+/// Ordered by a key, of the edge's start; first in, first out.
 class OpenList {
  public:
-  void push(Cost h, Edge edge) {
-    buckets_[h].push_back(edge);
+  void push(Cost key, Edge edge) {
+    buckets_[key].push_back(edge);
     ++size_;
   }
   bool empty() const { return buckets_.empty(); }
@@ -52,11 +52,19 @@ class OpenList {
   std::size_t size_ = 0;
 };
 
-class Greedy {
+/// What is sought: with weight 0 any plan, by h alone.
+struct Aim {
+  Cost weight = 0;
+  Cost upper_bound = kInfinity;
+};
+
+class LazySearch {
  public:
-  Greedy(const task::Task& task, const SuccessorGenerator& successors, const task::Goal& goal,
-         const Limits& limits)
-      : successors_(successors),
+  LazySearch(const task::Task& task, const SuccessorGenerator& successors, const task::Goal& goal,
+             const Limits& limits, const Aim& aim)
+      : task_(task),
+        successors_(successors),
+        aim_(aim),
         goal_(goal),
         monitor_(limits),
         heuristic_(task, goal),
@@ -66,7 +74,8 @@ class Greedy {
   Result run() {
     result_.status = search();
     if (result_.status == Status::Solved) {
-      result_.plan = space_.plan(static_cast<StateId>(space_.size() - 1));
+      result_.plan = space_.plan(goal_state_);
+      result_.cost = task::cost(task_, result_.plan);
     }
     result_.statistics.generated = monitor_.states();
     result_.statistics.bytes = bytes();
@@ -74,18 +83,41 @@ class Greedy {
   }
 
  private:
-  std::size_t bytes() const { return space_.bytes() + all_.bytes() + preferred_.bytes(); }
+  struct Node {
+    Cost g;
+    Cost h;
+  };
+
+  std::size_t bytes() const {
+    return space_.bytes() + nodes_.capacity() * sizeof(Node) + all_.bytes() + preferred_.bytes();
+  }
 
   Status search() {
+    nodes_.push_back({0, 0});
+    if (aim_.upper_bound <= 0) return Status::Unsolvable;
     if (open(SearchSpace::kInitial)) return Status::Solved;
     while (!all_.empty() || !preferred_.empty()) {
       const Edge edge = nextEdge();
       result_.limit = monitor_.generated(bytes());
       if (result_.limit != LimitReason::None) return Status::LimitReached;
-      const auto [id, is_new] = space_.insertSuccessor(edge.from, edge.op);
-      if (is_new && open(id)) return Status::Solved;
+      if (follow(edge)) return Status::Solved;
     }
     return Status::Unsolvable;
+  }
+
+  /// True when the edge leads to the goal.
+  bool follow(const Edge& edge) {
+    const Cost g = nodes_[edge.from].g + task_.operators[edge.op].cost;
+    if (g >= aim_.upper_bound) return false;
+    const auto [id, is_new] = space_.insertSuccessor(edge.from, edge.op);
+    if (is_new) {
+      nodes_.push_back({g, 0});
+    } else {
+      if (aim_.weight == 0 || g >= nodes_[id].g) return false;
+      space_.setWay(id, edge.from, edge.op);
+      nodes_[id].g = g;
+    }
+    return open(id);
   }
 
   Edge nextEdge() {
@@ -96,13 +128,22 @@ class Greedy {
     return list.pop();
   }
 
-  /// Evaluates a new state and opens its edges; true when it satisfies the goal.
+  Cost key(const Node& node) const {
+    return aim_.weight == 0 ? node.h : node.g + aim_.weight * node.h;
+  }
+
+  /// Evaluates a state that is new, or reached more cheaply, and opens its edges; true when it
+  /// satisfies the goal.
   bool open(StateId id) {
     const task::Word* state = space_.state(id);
-    if (task::satisfies(state, goal_)) return true;
+    if (task::satisfies(state, goal_)) {
+      goal_state_ = id;
+      return true;
+    }
     ++result_.statistics.evaluated;
     const Cost h = heuristic_.evaluate(state);
     if (h == kInfinity) return false;
+    nodes_[id].h = h;
     ++result_.statistics.expanded;
     if (h < best_h_) {
       best_h_ = h;
@@ -111,15 +152,17 @@ class Greedy {
     for (const OperatorId op : heuristic_.preferred())
       is_preferred_[op] = true;
     successors_.forEach(state, [&](OperatorId op) {
-      all_.push(h, {id, op});
-      if (is_preferred_[op]) preferred_.push(h, {id, op});
+      all_.push(key(nodes_[id]), {id, op});
+      if (is_preferred_[op]) preferred_.push(key(nodes_[id]), {id, op});
     });
     for (const OperatorId op : heuristic_.preferred())
       is_preferred_[op] = false;
     return false;
   }
 
+  const task::Task& task_;
   const SuccessorGenerator& successors_;
+  Aim aim_;
   const task::Goal& goal_;
   LimitMonitor monitor_;
   heuristics::Ff heuristic_;
@@ -127,6 +170,8 @@ class Greedy {
   std::vector<bool> is_preferred_;
   OpenList all_;
   OpenList preferred_;
+  std::vector<Node> nodes_;
+  StateId goal_state_ = kNoState;
   Cost best_h_ = kInfinity;
   Result result_;
 };
@@ -135,9 +180,12 @@ class Greedy {
 
 Result greedy(const task::Task& task, const SuccessorGenerator& successors, const task::Goal& goal,
               const Limits& limits) {
-  Result result = Greedy(task, successors, goal, limits).run();
-  result.cost = task::cost(task, result.plan);
-  return result;
+  return LazySearch(task, successors, goal, limits, {}).run();
+}
+
+Result weighted(const task::Task& task, const SuccessorGenerator& successors,
+                const task::Goal& goal, const Limits& limits, Cost weight, Cost upper_bound) {
+  return LazySearch(task, successors, goal, limits, {weight, upper_bound}).run();
 }
 
 }  // namespace goal_alignment::search

@@ -184,6 +184,11 @@ FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
     if (best.limit == LimitReason::Cancelled) throw LimitReached(best.limit, "the final plan");
     plan.optimal = best.status == search::Status::Solved;
     if (plan.optimal) plan.steps = task::names(robot().task(), best.plan);
+  } else if (options_.plan == PlanMode::Anytime) {
+    const search::Improved best = robot().improvedPlan(achieved, first_plan, limits());
+    if (best.limit == LimitReason::Cancelled) throw LimitReached(best.limit, "the final plan");
+    plan.optimal = best.optimal;
+    plan.steps = task::names(robot().task(), best.plan);
   } else if (robot_side_.human_plan_runs) {
     // The person's own plan is the one to prefer where it gives all that is needed.
     std::vector<Literal> all = problem_->specified;

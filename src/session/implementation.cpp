@@ -33,6 +33,7 @@ void validate(const Options& options) {
                "a flat belief must lie between 0 and 1");
   requireRange(options.time_limit > 0, "the time limit must be positive");
   requireRange(options.memory_limit > 0, "the memory limit must be positive");
+  requireRange(options.threads >= 1, "the number of threads must be 1 or more");
   requireRange(options.max_questions >= -1, "the question limit must be -1 (none) or more");
   questions::makePolicy(options.policy, {});  // throws for an unknown name
 }
@@ -188,7 +189,7 @@ void Session::Implementation::believe() {
   if (beliefs_.empty()) {
     std::vector<double> differences(robot().candidateCount(), 0);
     if (options_.belief.mode != alignment::BeliefMode::Flat) {
-      differences = costDifferences(kBeliefStates);
+      differences = costDifferences({true, kBeliefStates, true});
     }
     beliefs_ = alignment::beliefs(*problem_, differences, options_.belief);
   }
@@ -196,9 +197,10 @@ void Session::Implementation::believe() {
   phase_ = policy_->usesConflicts() && full ? Phase::FindConflicts : Phase::Decide;
 }
 
-std::vector<double> Session::Implementation::costDifferences(std::uint64_t states_per_search) {
-  alignment::CostDifferences differences =
-      alignment::costDifferences(*problem_, unit_costs_, limits(), states_per_search);
+std::vector<double> Session::Implementation::costDifferences(alignment::CostOptions options) {
+  options.unit_costs = unit_costs_;
+  options.threads = options_.threads;
+  alignment::CostDifferences differences = alignment::costDifferences(*problem_, options, limits());
   belief_calls_ += differences.planner_calls;
   return std::move(differences.values);
 }
@@ -216,7 +218,8 @@ questions::Setting Session::Implementation::policySetting() {
   setting.ask_static = options_.static_candidates;
   setting.seed = options_.seed;
   setting.paper_beliefs = [this] {
-    return alignment::paperBeliefs(costDifferences(kPaperBeliefStates), options_.belief.beta);
+    return alignment::paperBeliefs(costDifferences({true, kPaperBeliefStates}),
+                                   options_.belief.beta);
   };
   setting.unachievable_alone = [this] { return unachievableAlone(); };
   return setting;

@@ -53,7 +53,7 @@ class Session::Implementation {
   void ground();
   void checkWhole();
   void believe();
-  std::vector<double> costDifferences(std::uint64_t states_per_search);
+  std::vector<double> costDifferences(alignment::CostOptions options);
   void findConflicts();
   questions::Setting policySetting();
   std::vector<bool> unachievableAlone();

@@ -13,6 +13,7 @@
 #include "goal_alignment/common/limits.h"
 #include "goal_alignment/grounding/grounder.h"
 #include "goal_alignment/heuristics/mutexes.h"
+#include "goal_alignment/search/anytime.h"
 #include "goal_alignment/search/result.h"
 #include "goal_alignment/search/successor_generator.h"
 #include "goal_alignment/task/task.h"
@@ -62,6 +63,10 @@ class Achievability {
 
   /// A plan for the set that no plan undercuts in cost; Unknown where the limits end the search.
   search::Result optimalPlan(const CandidateSet& set, const Limits& limits);
+
+  /// A plan for the set made cheaper as long as the limits let.
+  search::Improved improvedPlan(const CandidateSet& set, const task::Plan& plan,
+                                const Limits& limits);
 
   /// Finds all minimal conflicts. True: complete. Sets that a limit left open become suspected
   /// conflicts. Resumable: what is known is kept.

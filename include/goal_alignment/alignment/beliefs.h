@@ -29,16 +29,23 @@ struct BeliefOptions {
 struct CostDifferences {
   std::vector<double> values;
   std::size_t planner_calls = 0;
-  bool exact =
-      true;  ///< false: a limit was reached, and the cheapest prefix of π^H stands in for π̂*_f
+  bool exact = true;  ///< false: for some the upper bound stands in for what a limit left open
 };
 
-/// C(π̂*_f), the optimal cost of G^H ∪ {f} in the human model, by A* with LM-cut. The cheapest
-/// prefix of π^H that achieves the set bounds it from above and ends the search early; candidates
-/// that never change share one search. `unit_costs`: every action costs 1. `search_limits` bounds
-/// each single search. Throws LimitReached on a cancel or at the deadline while grounding.
-CostDifferences costDifferences(const Problem& problem, bool unit_costs, const Limits& limits,
-                                std::uint64_t states_per_search);
+/// How the costs are to be found.
+struct CostOptions {
+  bool unit_costs = true;               ///< every action costs 1
+  std::uint64_t states_per_search = 0;  ///< generated, in each single search
+  bool bounds_may_do = false;  ///< where the model is so large that searches would take long
+  int threads = 1;             ///< the result does not depend on it
+};
+
+/// C(π̂*_f), the optimal cost of G^H ∪ {f} in the human model, for all candidates together: by A*
+/// with LM-cut where the bounds leave it open. G^H alone bounds all costs from below, prefixes of
+/// π^H and of the plans found bound them from above. Candidates that never change share one search.
+/// Throws LimitReached on a cancel or at the deadline while grounding.
+CostDifferences costDifferences(const Problem& problem, const CostOptions& options,
+                                const Limits& limits);
 
 /// p(f ∈ G*) for every candidate, clamped to [0.02, 0.98]: exp(0) = 1 would make a fluent certain.
 std::vector<double> beliefs(const Problem& problem, const std::vector<double>& differences,

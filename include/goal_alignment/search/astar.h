@@ -8,6 +8,12 @@
 
 namespace goal_alignment::search {
 
+/// What is known of an optimal plan's cost beforehand.
+struct Bounds {
+  task::Cost lower = 0;                      ///< no plan costs less
+  task::Cost upper = heuristics::kInfinity;  ///< plans that cost as much are of no interest
+};
+
 /// A* with incremental LM-cut on the part of the task that is relevant to the goal. Solved: the
 /// plan is optimal. Reopens, since LM-cut is inconsistent; ties are broken by the smaller h, then
 /// by the later arrival.
@@ -16,10 +22,10 @@ namespace goal_alignment::search {
 /// only when the state is the next to be expanded: most states never are. A goal state bounds the
 /// search as soon as it is generated.
 ///
-/// `upper_bound`: plans that cost as much or more are of no interest; Unsolvable then means that no
-/// cheaper one exists. Deterministic for given limits in states and bytes. Statistics count an
-/// evaluation each time LM-cut is computed.
+/// Only what lies within the bounds is of interest: where `upper` says that plans cost as much or
+/// more, Unsolvable means that no cheaper one exists. Deterministic for given limits in states and
+/// bytes. Statistics count an evaluation each time LM-cut is computed.
 Result astar(const task::Task& task, const task::Goal& goal, const Limits& limits,
-             task::Cost upper_bound = heuristics::kInfinity);
+             const Bounds& bounds = {});
 
 }  // namespace goal_alignment::search

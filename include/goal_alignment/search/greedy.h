@@ -14,4 +14,10 @@ namespace goal_alignment::search {
 Result greedy(const task::Task& task, const SuccessorGenerator& successors, const task::Goal& goal,
               const Limits& limits);
 
+/// The same with g + weight · h in place of h, reopening: lazy weighted A*. Plans that cost
+/// `upper_bound` or more are of no interest; Unsolvable means that no cheaper one exists.
+Result weighted(const task::Task& task, const SuccessorGenerator& successors,
+                const task::Goal& goal, const Limits& limits, task::Cost weight,
+                task::Cost upper_bound);
+
 }  // namespace goal_alignment::search

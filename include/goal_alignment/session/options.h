@@ -17,7 +17,8 @@ enum class UnsurePolicy : std::uint8_t {
   Abort = 2,  ///< the dialogue ends undecided
 };
 
-enum class PlanMode : std::uint8_t { First, Optimal };
+/// The final plan: any, one that costs the least, or one improved as long as the time limit lets.
+enum class PlanMode : std::uint8_t { First, Optimal, Anytime };
 
 /// All conflicts before the first question, or ask inside those already known.
 enum class ConflictMode : std::uint8_t { Full, Lazy };
@@ -35,6 +36,7 @@ struct Options {
       std::numeric_limits<double>::infinity();       ///< seconds of thinking, not waiting
   std::size_t memory_limit = std::size_t{2} << 30U;  ///< accounted bytes
   int max_questions = -1;                            ///< -1: as many as it takes
+  int threads = 1;  ///< for independent searches; the results do not depend on it
 };
 
 }  // namespace goal_alignment::session

@@ -35,10 +35,11 @@ bool close(double a, double b) {
 RC_GTEST_PROP(CostDifferences, EqualBruteForceOneByOne, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
-  const CostDifferences found = costDifferences(problemOf(hagl), true, {}, kPlenty);
+  const CostDifferences found = costDifferences(problemOf(hagl), {true, kPlenty}, {});
   RC_ASSERT(found.exact);
   RC_ASSERT(found.values == hagl.costDifferences());
-  RC_ASSERT(found.planner_calls <= hagl.size());
+  RC_ASSERT(found.planner_calls <= hagl.size() + 1);
+  RC_ASSERT(costDifferences(problemOf(hagl), {true, kPlenty, false, 3}, {}).values == found.values);
 }
 
 RC_GTEST_PROP(CostDifferences, CountTheModelsCostsWhereWanted, ()) {
@@ -47,7 +48,7 @@ RC_GTEST_PROP(CostDifferences, CountTheModelsCostsWhereWanted, ()) {
   RC_PRE(hagl.human.has_costs);
   const Problem problem = problemOf(hagl);
   const oracles::LiftedSpace space(hagl.human, 10'000, false);
-  const CostDifferences found = costDifferences(problem, false, {}, kPlenty);
+  const CostDifferences found = costDifferences(problem, {false, kPlenty}, {});
   for (std::size_t f = 0; f < hagl.size(); ++f) {
     std::vector<Literal> goal = hagl.specified;
     goal.push_back(hagl.candidates[f]);
@@ -62,7 +63,7 @@ RC_GTEST_PROP(CostDifferences, ALimitLeavesABoundFromAbove, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   const std::vector<double> exact = hagl.costDifferences();
-  const CostDifferences found = costDifferences(problemOf(hagl), true, {}, random.below(10));
+  const CostDifferences found = costDifferences(problemOf(hagl), {true, random.below(10)}, {});
   for (std::size_t f = 0; f < hagl.size(); ++f) {
     RC_ASSERT(found.values[f] >= 0);
     RC_ASSERT(found.values[f] <= exact[f]);
@@ -74,7 +75,7 @@ TEST(CostDifferences, OfTheDeskAreWorkedOutByHand) {
   const Problem problem =
       makeProblem(samples::deskRobot(), samples::deskHuman(), {}, samples::deskPlan());
   // (down a) (down c) (free) (held a) (held b) (red a); the plan costs 2.
-  EXPECT_EQ(costDifferences(problem, true, {}, kPlenty).values,
+  EXPECT_EQ(costDifferences(problem, {true, kPlenty}, {}).values,
             (std::vector<double>{2, 2, 2, 1, 1, 2}));
 }
 
@@ -85,7 +86,7 @@ TEST(CostDifferences, StopWhenCancelled) {
   token.cancel();
   Limits limits;
   limits.cancel = &token;
-  EXPECT_THROW(costDifferences(problem, true, limits, kPlenty), LimitReached);
+  EXPECT_THROW(costDifferences(problem, {true, kPlenty}, limits), LimitReached);
 }
 
 Problem withCandidates(const std::vector<bool>& is_static) {

@@ -73,7 +73,6 @@ TEST(Usage, WhatIsToComeSaysSo) {
   const std::string dir = folder.path();
   const std::vector<std::vector<std::string>> not_yet = {
       {"align", dir, "--group", "3"},        {"align", dir, "--negative-candidates"},
-      {"align", dir, "--plan", "anytime"},   {"align", dir, "--threads", "2"},
       {"align", dir, "--policy", "optimal"}, {"align", dir, "--policy", "ratio"},
       {"bench", dir, "--policy", "ratio"},   {"perturb", "d.pddl", "--seed", "1"}};
   for (const auto& arguments : not_yet) {

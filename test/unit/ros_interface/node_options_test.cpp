@@ -45,7 +45,8 @@ TEST(NodeOptions, valuesAreTakenOver) {
   values["beta"] = 2;  // a whole number where a fraction may stand
   values["conflicts"] = "full";
   values["unsure_policy"] = "abort";
-  values["plan"] = "optimal";
+  values["plan"] = "anytime";
+  values["threads"] = 3;
   values["static_candidates"] = false;
   values["memory_limit"] = 64;
   values["ask_timeout"] = 1.5;
@@ -57,7 +58,8 @@ TEST(NodeOptions, valuesAreTakenOver) {
   EXPECT_EQ(options.session.belief.beta, 2);
   EXPECT_EQ(options.session.conflicts, session::ConflictMode::Full);
   EXPECT_EQ(options.session.unsure_policy, session::UnsurePolicy::Abort);
-  EXPECT_EQ(options.session.plan, session::PlanMode::Optimal);
+  EXPECT_EQ(options.session.plan, session::PlanMode::Anytime);
+  EXPECT_EQ(options.session.threads, 3);
   EXPECT_FALSE(options.session.static_candidates);
   EXPECT_EQ(options.session.memory_limit, std::size_t{64} << 20U);
   EXPECT_EQ(options.ask_timeout, 1.5);

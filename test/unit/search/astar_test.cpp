@@ -34,8 +34,8 @@ RC_GTEST_PROP(AStar, AnUpperBoundHidesPlansThatCostAsMuch, ()) {
   const task::Goal goal = oracles::randomAlternatives(random, task);
   const auto best = oracles::optimalCost(task, oracles::initialFacts(task), goal);
   RC_PRE(best.has_value());
-  RC_ASSERT(astar(task, goal, {}, *best).status == Status::Unsolvable);
-  const Result just = astar(task, goal, {}, *best + 1);
+  RC_ASSERT(astar(task, goal, {}, {0, *best}).status == Status::Unsolvable);
+  const Result just = astar(task, goal, {}, {*best, *best + 1});
   RC_ASSERT(just.status == Status::Solved);
   RC_ASSERT(just.cost == *best);
 }
