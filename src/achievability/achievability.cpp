@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "goal_alignment/heuristics/mutex_groups.h"
 #include "goal_alignment/search/astar.h"
 #include "goal_alignment/search/greedy.h"
 #include "goal_alignment/task/state.h"
@@ -20,17 +21,16 @@ Achievability::Achievability(const grounding::GroundTask& robot,
                              const std::vector<Literal>& candidates, const SearchBudget& budget,
                              const Limits& limits)
     : budget_(budget),
-      task_(robot.task),
       facts_(candidates.size(), kNoFact),
       always_true_(candidates.size()),
       never_true_(candidates.size()),
       reached_(candidates.size()),
       conflicts_(candidates.size()) {
   classify(robot, specified, candidates);
-  const heuristics::MutexTable mutexes(task_, limits);
+  const heuristics::MutexTable mutexes(robot.task, limits);
   findMutexConflicts(mutexes);
-  task_ = mutexes.withoutInapplicable(std::move(task_));
-  successors_.emplace(task_);
+  task_.emplace(mutexes.withoutInapplicable(robot.task),
+                heuristics::mutexGroups(robot.task, mutexes, limits));
 }
 
 void Achievability::classify(const grounding::GroundTask& robot,
@@ -109,7 +109,7 @@ FactSet Achievability::goalFacts(const CandidateSet& set) const {
 void Achievability::recordPlan(const task::Plan& plan) {
   // A specified literal that is never true is no fact, so no state shows that it is missing.
   const bool goal_possible = conflicts_.provenWithin(CandidateSet(facts_.size())) == nullptr;
-  task::State state = task::initialState(task_);
+  task::State state = task::initialState(task());
   for (std::size_t step = 0;; ++step) {
     const CandidateSet now = satisfied(state.data());
     reached_ |= now;
@@ -119,7 +119,7 @@ void Achievability::recordPlan(const task::Plan& plan) {
     }
     if (step == plan.size()) break;
     const task::State before = state;
-    task::apply(task_.operators[plan[step]], before.data(), state.size(), state.data());
+    task::apply(task().operators[plan[step]], before.data(), state.size(), state.data());
   }
 }
 
@@ -127,8 +127,8 @@ void Achievability::recordExecution(const std::vector<GroundName>& actions) {
   std::unordered_map<GroundName, std::optional<task::OperatorId>> ids;
   for (const GroundName& action : actions)
     ids.emplace(action, std::nullopt);
-  for (task::OperatorId op = 0; op < task_.operators.size(); ++op) {
-    const auto found = ids.find(task_.operators[op].name);
+  for (task::OperatorId op = 0; op < task().operators.size(); ++op) {
+    const auto found = ids.find(task().operators[op].name);
     if (found != ids.end()) found->second = op;
   }
   task::Plan plan;
@@ -176,7 +176,7 @@ Check Achievability::check(const CandidateSet& set, const Limits& limits) {
 std::optional<Check> Achievability::searchGreedily(const CandidateSet& set, const Limits& limits,
                                                    Check& last) {
   ++planner_calls_;
-  const search::Result result = search::greedy(task_, *successors_, goalFacts(set), limits);
+  const search::Result result = search::greedy(*task_, goalFacts(set), limits);
   if (result.status == search::Status::Solved) {
     recordPlan(result.plan);
     return Check{Verdict::Achievable, result.plan, {}};
@@ -191,21 +191,21 @@ std::optional<Check> Achievability::searchGreedily(const CandidateSet& set, cons
 
 search::Result Achievability::optimalPlan(const CandidateSet& set, const Limits& limits) {
   ++planner_calls_;
-  return search::astar(task_, goalFacts(set), limits);
+  return search::astar(*task_, goalFacts(set), limits);
 }
 
 search::Improved Achievability::improvedPlan(const CandidateSet& set, const task::Plan& plan,
                                              const Limits& limits) {
   ++planner_calls_;
-  return search::improve(task_, *successors_, goalFacts(set), plan, limits);
+  return search::improve(*task_, goalFacts(set), plan, limits);
 }
 
 Verdict Achievability::reachableAlone(std::size_t candidate, const Limits& limits) {
   if (reached_.test(candidate)) return Verdict::Achievable;
   if (never_true_.test(candidate) || exhaustive_complete_) return Verdict::Unachievable;
   ++planner_calls_;
-  const search::Result result = search::greedy(task_, *successors_, FactSet{facts_[candidate]},
-                                               limits.withStates(budget_.second_greedy));
+  const search::Result result =
+      search::greedy(*task_, FactSet{facts_[candidate]}, limits.withStates(budget_.second_greedy));
   if (result.status == search::Status::Solved) {
     recordPlan(result.plan);
     return Verdict::Achievable;

@@ -22,7 +22,7 @@ constexpr std::size_t kMostHittingSets = 5000;
 /// answered from memory.
 LimitReason Achievability::exhaust(const Limits& limits) {
   ++planner_calls_;
-  search::Exhaustive exhaustive(task_, *successors_);
+  search::Exhaustive exhaustive(*task_);
   std::unordered_map<CandidateSet, search::StateId> first_seen;
   std::vector<std::pair<CandidateSet, search::StateId>> maximal;
   const auto visit = [&](search::StateId id, const task::Word* state) {
@@ -62,7 +62,7 @@ bool Achievability::provenUnachievable(const CandidateSet& set, const Limits& li
   if (exhaustive_complete_) return true;
   ++planner_calls_;
   const search::Result result =
-      search::greedy(task_, *successors_, goalFacts(set), limits.withStates(budget_.first_greedy));
+      search::greedy(*task_, goalFacts(set), limits.withStates(budget_.first_greedy));
   if (result.status == search::Status::Solved) recordPlan(result.plan);
   return result.status == search::Status::Unsolvable;
 }

@@ -10,6 +10,7 @@
 #include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/common/parallel.h"
 #include "goal_alignment/grounding/grounder.h"
+#include "goal_alignment/heuristics/mutex_groups.h"
 #include "goal_alignment/search/astar.h"
 #include "goal_alignment/task/state.h"
 
@@ -56,6 +57,7 @@ class HumanCosts {
         threads_(options.threads),
         prefix_costs_(prefixCosts(problem, options.unit_costs)),
         human_(grounding::ground(problem.human, problem.specified, {options.unit_costs}, limits)),
+        task_(human_.task, heuristics::groupsFromInvariants(human_.task, limits)),
         search_limits_(limits) {
     for (const Literal& literal : problem.specified) {
       const FactStatus status = human_.status(literal);
@@ -128,7 +130,7 @@ class HumanCosts {
       const Query& query = queries_[batch[i]];
       task::FactSet goal = goal_;
       if (query.fact) goal.push_back(*query.fact);
-      results[i] = search::astar(human_.task, task::makeFactSet(std::move(goal)), search_limits_,
+      results[i] = search::astar(task_, task::makeFactSet(std::move(goal)), search_limits_,
                                  {query.lower, query.upper});
     });
     for (std::size_t i = 0; i < batch.size(); ++i)
@@ -180,6 +182,7 @@ class HumanCosts {
   int threads_;
   std::vector<Cost> prefix_costs_;
   grounding::GroundTask human_;
+  search::SearchTask task_;
   Limits search_limits_;
   task::FactSet goal_;
   std::vector<Query> queries_;

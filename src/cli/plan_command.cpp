@@ -12,6 +12,7 @@
 #include "goal_alignment/cli/json_output.h"
 #include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/grounding/grounder.h"
+#include "goal_alignment/heuristics/mutex_groups.h"
 #include "goal_alignment/heuristics/mutexes.h"
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/search/astar.h"
@@ -112,11 +113,11 @@ class Planning {
     if (!facts) return;
     const heuristics::MutexTable mutexes(ground.task, limits);
     if (mutexes.contains(*facts)) return;
-    const task::Task task = mutexes.withoutInapplicable(ground.task);
-    const search::SuccessorGenerator successors(task);
+    const search::SearchTask task(mutexes.withoutInapplicable(ground.task),
+                                  heuristics::mutexGroups(ground.task, mutexes, limits));
     result_ = arguments_.optimal ? search::astar(task, *facts, limits)
-                                 : search::greedy(task, successors, *facts, limits);
-    steps_ = task::names(task, result_.plan);
+                                 : search::greedy(task, *facts, limits);
+    steps_ = task::names(task.task(), result_.plan);
   }
 
   OutcomeCode code() const {

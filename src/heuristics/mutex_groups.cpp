@@ -352,4 +352,9 @@ MutexGroups groupsFromInvariants(const Task& task, const Limits& limits) {
   return {task, cover.take([](FactSet rest) { return rest; })};
 }
 
+MutexGroups mutexGroups(const Task& task, const MutexTable& mutexes, const Limits& limits) {
+  return mutexes.known() ? groupsFromPairs(task, mutexes, limits)
+                         : groupsFromInvariants(task, limits);
+}
+
 }  // namespace goal_alignment::heuristics

@@ -22,10 +22,10 @@ bool isFinal(LimitReason reason) {
 
 }  // namespace
 
-Improved improve(const task::Task& task, const SuccessorGenerator& successors,
-                 const task::Goal& goal, task::Plan plan, const Limits& limits) {
+Improved improve(const SearchTask& task, const task::Goal& goal, task::Plan plan,
+                 const Limits& limits) {
   Improved best;
-  best.cost = task::cost(task, plan);
+  best.cost = task::cost(task.task(), plan);
   best.plan = std::move(plan);
   const auto take = [&best](Result result) {
     best.limit = result.limit;
@@ -36,7 +36,7 @@ Improved improve(const task::Task& task, const SuccessorGenerator& successors,
   };
   const Limits each = limits.withStates(std::min(limits.states, kMostStates));
   for (const task::Cost weight : kWeights) {
-    while (take(weighted(task, successors, goal, each, weight, best.cost))) {
+    while (take(weighted(task, goal, each, weight, best.cost))) {
     }
     if (isFinal(best.limit)) return best;
     best.optimal = best.limit == LimitReason::None;

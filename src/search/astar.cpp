@@ -8,7 +8,6 @@
 
 #include "goal_alignment/heuristics/lm_cut.h"
 #include "goal_alignment/search/search_space.h"
-#include "goal_alignment/search/successor_generator.h"
 #include "goal_alignment/task/relevance.h"
 #include "landmark_cache.h"
 
@@ -54,21 +53,19 @@ class OpenList {
 
 class AStar {
  public:
-  AStar(const task::Task& task, const task::Goal& goal, const Limits& limits, const Bounds& bounds)
+  AStar(const SearchTask& task, const task::Goal& goal, const Limits& limits, const Bounds& bounds)
       : task_(task),
-        successors_(task),
-        goal_(goal),
+        goal_(task.packing().goal(goal)),
         bounds_(bounds),
         monitor_(limits),
-        heuristic_(task, goal, limits.cancel),
+        heuristic_(task.task(), goal, limits.cancel),
         space_(task),
         cache_(std::min(kMostLandmarkBytes, limits.bytes / 4)),
-        paid_(task.operators.size(), 0) {}
+        paid_(task.task().operators.size(), 0) {}
 
   Result run() {
     nodes_.push_back({});
-    if (task::satisfies(space_.state(SearchSpace::kInitial), goal_))
-      noteGoal(SearchSpace::kInitial);
+    if (goal_.holdsIn(space_.packed(SearchSpace::kInitial))) noteGoal(SearchSpace::kInitial);
     push(SearchSpace::kInitial);
     result_.status = search();
     if (result_.status == Status::Solved) {
@@ -145,12 +142,13 @@ class AStar {
     const Landmarks& landmarks = *cache_.find(id);
     sumUp(landmarks, 1);
     applicable_.clear();
-    successors_.forEach(space_.state(id), [this](OperatorId op) { applicable_.push_back(op); });
+    task_.successors().forEach(space_.state(id),
+                               [this](OperatorId op) { applicable_.push_back(op); });
     const bool goes_on = space_.insertSuccessors(
         id, applicable_, [&](StateId successor, bool is_new, OperatorId op) {
           result_.limit = monitor_.generated(bytes());
           if (result_.limit != LimitReason::None) return false;
-          const Cost cost = task_.operators[op].cost;
+          const Cost cost = task_.task().operators[op].cost;
           // Both bounds are admissible: the landmarks without the operator stay landmarks, and no
           // operator takes the goal nearer by more than it costs.
           const Cost h = std::max(landmarks.total() - paid_[op], nodes_[id].h - cost);
@@ -170,7 +168,7 @@ class AStar {
   }
 
   void reach(StateId successor, bool is_new, StateId from, OperatorId op, Cost h) {
-    const Cost g = nodes_[from].g + task_.operators[op].cost;
+    const Cost g = nodes_[from].g + task_.task().operators[op].cost;
     if (is_new) {
       nodes_.push_back({g, h, false, false});
     } else {
@@ -181,13 +179,12 @@ class AStar {
       known.g = g;
       known.closed = false;
     }
-    if (task::satisfies(space_.state(successor), goal_)) noteGoal(successor);
+    if (goal_.holdsIn(space_.packed(successor))) noteGoal(successor);
     push(successor);
   }
 
-  const task::Task& task_;
-  SuccessorGenerator successors_;
-  const task::Goal& goal_;
+  const SearchTask& task_;
+  StatePacking::Goal goal_;
   Bounds bounds_;
   LimitMonitor monitor_;
   heuristics::LmCut heuristic_;
@@ -201,12 +198,24 @@ class AStar {
   Result result_;
 };
 
+/// What the projection leaves of the groups: mutex they stay.
+heuristics::MutexGroups groupsWithin(const task::Projection& projection,
+                                     const heuristics::MutexGroups& groups) {
+  std::vector<task::FactSet> within(groups.groups().size());
+  for (task::FactId fact = 0; fact < projection.facts.size(); ++fact)
+    within[groups.place(projection.facts[fact]).group].push_back(fact);
+  within.erase(std::remove(within.begin(), within.end(), task::FactSet{}), within.end());
+  return {projection.task, std::move(within)};
+}
+
 }  // namespace
 
-Result astar(const task::Task& task, const task::Goal& goal, const Limits& limits,
+Result astar(const SearchTask& task, const task::Goal& goal, const Limits& limits,
              const Bounds& bounds) {
-  const task::Projection projection = task::project(task, goal);
-  Result result = AStar(projection.task, projection.goal, limits, bounds).run();
+  task::Projection projection = task::project(task.task(), goal);
+  heuristics::MutexGroups groups = groupsWithin(projection, task.groups());
+  const SearchTask relevant(std::move(projection.task), std::move(groups));
+  Result result = AStar(relevant, projection.goal, limits, bounds).run();
   result.plan = projection.original(result.plan);
   return result;
 }

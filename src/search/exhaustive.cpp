@@ -7,8 +7,7 @@ namespace goal_alignment::search {
 
 using task::OperatorId;
 
-Exhaustive::Exhaustive(const task::Task& task, const SuccessorGenerator& successors)
-    : successors_(successors), space_(task) {}
+Exhaustive::Exhaustive(const SearchTask& task) : task_(task), space_(task) {}
 
 LimitReason Exhaustive::run(const Limits& limits, const Visit& visit) {
   LimitMonitor monitor(limits);
@@ -16,7 +15,7 @@ LimitReason Exhaustive::run(const Limits& limits, const Visit& visit) {
   std::vector<OperatorId> applicable;
   for (StateId id = 0; id < space_.size(); ++id) {
     applicable.clear();
-    successors_.forEach(space_.state(id), [&](OperatorId op) { applicable.push_back(op); });
+    task_.successors().forEach(space_.state(id), [&](OperatorId op) { applicable.push_back(op); });
     LimitReason reason = LimitReason::None;
     const bool goes_on = space_.insertSuccessors(
         id, applicable, [&](StateId successor, bool is_new, OperatorId /*op*/) {

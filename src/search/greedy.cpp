@@ -60,22 +60,20 @@ struct Aim {
 
 class LazySearch {
  public:
-  LazySearch(const task::Task& task, const SuccessorGenerator& successors, const task::Goal& goal,
-             const Limits& limits, const Aim& aim)
+  LazySearch(const SearchTask& task, const task::Goal& goal, const Limits& limits, const Aim& aim)
       : task_(task),
-        successors_(successors),
         aim_(aim),
-        goal_(goal),
+        goal_(task.packing().goal(goal)),
         monitor_(limits),
-        heuristic_(task, goal),
+        heuristic_(task.task(), goal),
         space_(task),
-        is_preferred_(task.operators.size(), false) {}
+        is_preferred_(task.task().operators.size(), false) {}
 
   Result run() {
     result_.status = search();
     if (result_.status == Status::Solved) {
       result_.plan = space_.plan(goal_state_);
-      result_.cost = task::cost(task_, result_.plan);
+      result_.cost = task::cost(task_.task(), result_.plan);
     }
     result_.statistics.generated = monitor_.states();
     result_.statistics.bytes = bytes();
@@ -107,7 +105,7 @@ class LazySearch {
 
   /// True when the edge leads to the goal.
   bool follow(const Edge& edge) {
-    const Cost g = nodes_[edge.from].g + task_.operators[edge.op].cost;
+    const Cost g = nodes_[edge.from].g + task_.task().operators[edge.op].cost;
     if (g >= aim_.upper_bound) return false;
     const auto [id, is_new] = space_.insertSuccessor(edge.from, edge.op);
     if (is_new) {
@@ -135,12 +133,12 @@ class LazySearch {
   /// Evaluates a state that is new, or reached more cheaply, and opens its edges; true when it
   /// satisfies the goal.
   bool open(StateId id) {
-    const task::Word* state = space_.state(id);
-    if (task::satisfies(state, goal_)) {
+    if (goal_.holdsIn(space_.packed(id))) {
       goal_state_ = id;
       return true;
     }
     ++result_.statistics.evaluated;
+    const task::Word* state = space_.state(id);
     const Cost h = heuristic_.evaluate(state);
     if (h == kInfinity) return false;
     nodes_[id].h = h;
@@ -151,7 +149,7 @@ class LazySearch {
     }
     for (const OperatorId op : heuristic_.preferred())
       is_preferred_[op] = true;
-    successors_.forEach(state, [&](OperatorId op) {
+    task_.successors().forEach(state, [&](OperatorId op) {
       all_.push(key(nodes_[id]), {id, op});
       if (is_preferred_[op]) preferred_.push(key(nodes_[id]), {id, op});
     });
@@ -160,10 +158,9 @@ class LazySearch {
     return false;
   }
 
-  const task::Task& task_;
-  const SuccessorGenerator& successors_;
+  const SearchTask& task_;
   Aim aim_;
-  const task::Goal& goal_;
+  StatePacking::Goal goal_;
   LimitMonitor monitor_;
   heuristics::Ff heuristic_;
   SearchSpace space_;
@@ -178,14 +175,13 @@ class LazySearch {
 
 }  // namespace
 
-Result greedy(const task::Task& task, const SuccessorGenerator& successors, const task::Goal& goal,
-              const Limits& limits) {
-  return LazySearch(task, successors, goal, limits, {}).run();
+Result greedy(const SearchTask& task, const task::Goal& goal, const Limits& limits) {
+  return LazySearch(task, goal, limits, {}).run();
 }
 
-Result weighted(const task::Task& task, const SuccessorGenerator& successors,
-                const task::Goal& goal, const Limits& limits, Cost weight, Cost upper_bound) {
-  return LazySearch(task, successors, goal, limits, {weight, upper_bound}).run();
+Result weighted(const SearchTask& task, const task::Goal& goal, const Limits& limits, Cost weight,
+                Cost upper_bound) {
+  return LazySearch(task, goal, limits, {weight, upper_bound}).run();
 }
 
 }  // namespace goal_alignment::search

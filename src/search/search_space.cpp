@@ -5,18 +5,18 @@
 
 namespace goal_alignment::search {
 
-SearchSpace::SearchSpace(const task::Task& task)
+SearchSpace::SearchSpace(const SearchTask& task)
     : task_(task),
-      registry_(task::wordsFor(task.facts.size())),
-      successor_(std::max<std::size_t>(1, task::wordsFor(task.facts.size())), 0) {
-  const task::State initial = task::initialState(task);
-  std::copy(initial.begin(), initial.end(), successor_.begin());
+      registry_(task.packing().words()),
+      facts_(task::initialState(task.task())),
+      successor_(registry_.words(), 0) {
+  task_.packing().pack(facts_.data(), successor_.data());
   registry_.insert(successor_.data());
   ways_.push_back({kNoState, 0});
 }
 
 std::pair<StateId, bool> SearchSpace::insertSuccessor(StateId from, task::OperatorId op) {
-  task::apply(task_.operators[op], registry_[from], registry_.words(), successor_.data());
+  task_.packing().apply(op, registry_[from], successor_.data());
   const auto inserted = registry_.insert(successor_.data());
   if (inserted.second) ways_.push_back({from, op});
   return inserted;

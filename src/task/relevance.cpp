@@ -94,6 +94,7 @@ class Projector {
       if (!relevant[fact]) continue;
       number_[fact] = static_cast<FactId>(result_.task.facts.size());
       result_.task.facts.push_back(task_.facts[fact]);
+      result_.facts.push_back(fact);
     }
   }
 

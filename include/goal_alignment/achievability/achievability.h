@@ -15,7 +15,7 @@
 #include "goal_alignment/heuristics/mutexes.h"
 #include "goal_alignment/search/anytime.h"
 #include "goal_alignment/search/result.h"
-#include "goal_alignment/search/successor_generator.h"
+#include "goal_alignment/search/search_task.h"
 #include "goal_alignment/task/task.h"
 
 /// One robot task, many goal sets: which candidates can be had together with the specified goal?
@@ -91,7 +91,7 @@ class Achievability {
   /// True in every state the robot can reach: settled without a word.
   const CandidateSet& alwaysTrue() const { return always_true_; }
 
-  const task::Task& task() const { return task_; }
+  const task::Task& task() const { return task_->task(); }
   std::size_t candidateCount() const { return facts_.size(); }
   std::size_t plannerCalls() const { return planner_calls_; }
 
@@ -113,10 +113,9 @@ class Achievability {
   std::optional<CandidateSet> nextOpenSet(bool& too_many);
 
   SearchBudget budget_;
-  task::Task task_;  // without the operators that mutexes rule out
-  std::optional<search::SuccessorGenerator> successors_;
-  task::FactSet specified_;          // the specified goal, without what is always true
-  std::vector<task::FactId> facts_;  // by candidate; kNoFact: always or never true
+  std::optional<search::SearchTask> task_;  // without the operators that mutexes rule out
+  task::FactSet specified_;                 // the specified goal, without what is always true
+  std::vector<task::FactId> facts_;         // by candidate; kNoFact: always or never true
   CandidateSet always_true_;
   CandidateSet never_true_;
   CandidateSet reached_;  // candidates seen true in some reachable state

@@ -53,4 +53,7 @@ MutexGroups groupsFromPairs(const task::Task& task, const MutexTable& mutexes,
 /// where a mutex table takes facts². Finds fewer groups than the table. Throws LimitReached.
 MutexGroups groupsFromInvariants(const task::Task& task, const Limits& limits);
 
+/// From the table where it knows anything, else from invariants. Throws LimitReached.
+MutexGroups mutexGroups(const task::Task& task, const MutexTable& mutexes, const Limits& limits);
+
 }  // namespace goal_alignment::heuristics

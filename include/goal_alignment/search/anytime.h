@@ -3,7 +3,7 @@
 
 #include "goal_alignment/common/limits.h"
 #include "goal_alignment/search/result.h"
-#include "goal_alignment/search/successor_generator.h"
+#include "goal_alignment/search/search_task.h"
 #include "goal_alignment/task/task.h"
 
 namespace goal_alignment::search {
@@ -20,7 +20,7 @@ struct Improved {
 /// (Richter, Thayer & Ruml, "The Joy of Forgetting: Faster Anytime Search via Restarting", ICAPS
 /// 2010) with falling weights, each looking for cheaper plans only; then A*, which proves. The
 /// limits' states and bytes hold for each of these searches.
-Improved improve(const task::Task& task, const SuccessorGenerator& successors,
-                 const task::Goal& goal, task::Plan plan, const Limits& limits);
+Improved improve(const SearchTask& task, const task::Goal& goal, task::Plan plan,
+                 const Limits& limits);
 
 }  // namespace goal_alignment::search

@@ -4,6 +4,7 @@
 #include "goal_alignment/common/limits.h"
 #include "goal_alignment/heuristics/relaxed_task.h"
 #include "goal_alignment/search/result.h"
+#include "goal_alignment/search/search_task.h"
 #include "goal_alignment/task/task.h"
 
 namespace goal_alignment::search {
@@ -25,7 +26,7 @@ struct Bounds {
 /// Only what lies within the bounds is of interest: where `upper` says that plans cost as much or
 /// more, Unsolvable means that no cheaper one exists. Deterministic for given limits in states and
 /// bytes. Statistics count an evaluation each time LM-cut is computed.
-Result astar(const task::Task& task, const task::Goal& goal, const Limits& limits,
+Result astar(const SearchTask& task, const task::Goal& goal, const Limits& limits,
              const Bounds& bounds = {});
 
 }  // namespace goal_alignment::search

@@ -5,7 +5,7 @@
 
 #include "goal_alignment/common/limits.h"
 #include "goal_alignment/search/search_space.h"
-#include "goal_alignment/search/successor_generator.h"
+#include "goal_alignment/search/search_task.h"
 #include "goal_alignment/task/task.h"
 
 namespace goal_alignment::search {
@@ -13,7 +13,7 @@ namespace goal_alignment::search {
 /// Visits the reachable states breadth first.
 class Exhaustive {
  public:
-  Exhaustive(const task::Task& task, const SuccessorGenerator& successors);
+  explicit Exhaustive(const SearchTask& task);
 
   /// Called once for every reachable state; false ends the search.
   using Visit = std::function<bool(StateId id, const task::Word* state)>;
@@ -25,7 +25,7 @@ class Exhaustive {
   std::size_t size() const { return space_.size(); }
 
  private:
-  const SuccessorGenerator& successors_;
+  const SearchTask& task_;
   SearchSpace space_;
 };
 

@@ -2,17 +2,20 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
+#include "goal_alignment/search/search_task.h"
 #include "goal_alignment/search/state_registry.h"
 #include "goal_alignment/task/task.h"
 
 namespace goal_alignment::search {
 
-/// The states a search has met, and the way to each.
+/// The states a search has met, packed, and the way to each.
 class SearchSpace {
  public:
-  explicit SearchSpace(const task::Task& task);
+  /// The task must outlive this.
+  explicit SearchSpace(const SearchTask& task);
 
   /// The initial state's id is 0; it is there from the start.
   static constexpr StateId kInitial = 0;
@@ -31,7 +34,7 @@ class SearchSpace {
     hashes_.resize(operators.size());
     for (std::size_t i = 0; i < operators.size(); ++i) {
       task::Word* successor = batch_.data() + i * words;
-      task::apply(task_.operators[operators[i]], registry_[from], words, successor);
+      task_.packing().apply(operators[i], registry_[from], successor);
       hashes_[i] = registry_.hash(successor);
       registry_.prefetch(hashes_[i]);
     }
@@ -53,7 +56,14 @@ class SearchSpace {
   /// The way to the state becomes this one.
   void setWay(StateId id, StateId parent, task::OperatorId op) { ways_[id] = {parent, op}; }
 
-  const task::Word* state(StateId id) const { return registry_[id]; }
+  /// The state's facts, until this is called again. O(mutex groups).
+  const task::Word* state(StateId id) {
+    task_.packing().unpack(registry_[id], facts_.data());
+    return facts_.data();
+  }
+  /// The state as it is written down, for good.
+  const task::Word* packed(StateId id) const { return registry_[id]; }
+
   std::size_t size() const { return registry_.size(); }
   std::size_t bytes() const { return registry_.bytes() + ways_.capacity() * sizeof(Way); }
 
@@ -61,9 +71,10 @@ class SearchSpace {
   task::Plan plan(StateId id) const;
 
  private:
-  const task::Task& task_;
+  const SearchTask& task_;
   StateRegistry registry_;
   std::vector<Way> ways_;
+  task::State facts_;
   std::vector<task::Word> successor_;
   std::vector<task::Word> batch_;
   std::vector<StateRegistry::Hash> hashes_;

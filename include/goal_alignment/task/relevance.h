@@ -22,7 +22,8 @@ Relevance relevance(const Task& task, const Goal& goal);
 struct Projection {
   Task task;
   Goal goal;
-  std::vector<OperatorId> origin;  ///< the operator of the task that was projected
+  std::vector<FactId> facts;       ///< the fact in the task that was projected
+  std::vector<OperatorId> origin;  ///< the operator there
 
   /// The plan in terms of that task.
   Plan original(const Plan& plan) const;

@@ -19,10 +19,9 @@ RC_GTEST_PROP(Anytime, EndsWithAnOptimalPlan, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);
   const task::Goal goal = oracles::randomAlternatives(random, task);
-  const SuccessorGenerator successors(task);
-  const Result first = greedy(task, successors, goal, {});
+  const Result first = greedy(*samples::packed(task), goal, {});
   RC_PRE(first.status == Status::Solved);
-  const Improved improved = improve(task, successors, goal, first.plan, {});
+  const Improved improved = improve(*samples::packed(task), goal, first.plan, {});
   RC_ASSERT(improved.optimal);
   RC_ASSERT(improved.cost == oracles::optimalCost(task, oracles::initialFacts(task), goal).value());
   const auto end = oracles::execute(task, improved.plan);
@@ -35,11 +34,10 @@ RC_GTEST_PROP(Anytime, ALimitLeavesTheBestPlanSoFar, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);
   const task::Goal goal = oracles::randomAlternatives(random, task);
-  const SuccessorGenerator successors(task);
-  const Result first = greedy(task, successors, goal, {});
+  const Result first = greedy(*samples::packed(task), goal, {});
   RC_PRE(first.status == Status::Solved);
   const Improved improved =
-      improve(task, successors, goal, first.plan, Limits{}.withStates(random.below(20)));
+      improve(*samples::packed(task), goal, first.plan, Limits{}.withStates(random.below(20)));
   RC_ASSERT(improved.cost <= first.cost);
   RC_ASSERT(improved.optimal == (improved.limit == LimitReason::None));
   if (improved.optimal) {
@@ -56,7 +54,7 @@ RC_GTEST_PROP(Weighted, FindsWhatIsCheaperThanTheBound, ()) {
   const task::Goal goal = oracles::randomAlternatives(random, task);
   const auto best = oracles::optimalCost(task, oracles::initialFacts(task), goal);
   const auto bound = static_cast<task::Cost>(random.below(8));
-  const Result result = weighted(task, SuccessorGenerator(task), goal, {}, 2, bound);
+  const Result result = weighted(*samples::packed(task), goal, {}, 2, bound);
   RC_ASSERT(result.status == (best && *best < bound ? Status::Solved : Status::Unsolvable));
   if (result.status != Status::Solved) return;
   RC_ASSERT(result.cost < bound);
@@ -65,12 +63,11 @@ RC_GTEST_PROP(Weighted, FindsWhatIsCheaperThanTheBound, ()) {
 
 TEST(Anytime, ACancelEndsItAtOnce) {
   const Task task = samples::switches(12);
-  const SuccessorGenerator successors(task);
   CancelToken token;
   token.cancel();
   Limits limits;
   limits.cancel = &token;
-  const Improved improved = improve(task, successors, task::FactSet{1}, {0}, limits);
+  const Improved improved = improve(*samples::packed(task), task::FactSet{1}, {0}, limits);
   EXPECT_EQ(improved.limit, LimitReason::Cancelled);
   EXPECT_EQ(improved.plan, task::Plan{0});
   EXPECT_FALSE(improved.optimal);

@@ -20,7 +20,7 @@ RC_GTEST_PROP(AStar, FindsDijkstrasCost, ()) {
   const Task task = oracles::randomTask(random);
   const task::Goal goal = oracles::randomAlternatives(random, task);
   const auto best = oracles::optimalCost(task, oracles::initialFacts(task), goal);
-  const Result result = astar(task, goal, {});
+  const Result result = astar(*samples::packed(task), goal, {});
   RC_ASSERT(result.status == (best ? Status::Solved : Status::Unsolvable));
   RC_ASSERT(result.limit == LimitReason::None);
   if (!best) return;
@@ -34,8 +34,8 @@ RC_GTEST_PROP(AStar, AnUpperBoundHidesPlansThatCostAsMuch, ()) {
   const task::Goal goal = oracles::randomAlternatives(random, task);
   const auto best = oracles::optimalCost(task, oracles::initialFacts(task), goal);
   RC_PRE(best.has_value());
-  RC_ASSERT(astar(task, goal, {}, {0, *best}).status == Status::Unsolvable);
-  const Result just = astar(task, goal, {}, {*best, *best + 1});
+  RC_ASSERT(astar(*samples::packed(task), goal, {}, {0, *best}).status == Status::Unsolvable);
+  const Result just = astar(*samples::packed(task), goal, {}, {*best, *best + 1});
   RC_ASSERT(just.status == Status::Solved);
   RC_ASSERT(just.cost == *best);
 }
@@ -47,7 +47,7 @@ RC_GTEST_PROP(AStar, NeverMistakesALimitForAProof, ()) {
   const task::Goal goal = oracles::randomAlternatives(random, task);
   const auto best = oracles::optimalCost(task, oracles::initialFacts(task), goal);
   const std::uint64_t states = random.below(30);
-  const Result result = astar(task, goal, Limits{}.withStates(states));
+  const Result result = astar(*samples::packed(task), goal, Limits{}.withStates(states));
   RC_ASSERT((result.status == Status::LimitReached) == (result.limit != LimitReason::None));
   if (result.status == Status::Solved) RC_ASSERT(result.cost == best.value());
   if (result.status == Status::Unsolvable) RC_ASSERT(!best.has_value());
@@ -58,15 +58,16 @@ RC_GTEST_PROP(AStar, IsDeterministic, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);
   const task::Goal goal = oracles::randomAlternatives(random, task);
-  const Result first = astar(task, goal, {});
-  const Result second = astar(task, goal, {});
+  const Result first = astar(*samples::packed(task), goal, {});
+  const Result second = astar(*samples::packed(task), goal, {});
   RC_ASSERT(first.plan == second.plan);
   RC_ASSERT(first.statistics.expanded == second.statistics.expanded);
 }
 
 TEST(AStar, StopsAfterTheGivenStates) {
   const Task task = samples::switches(12);
-  const Result result = astar(task, samples::allOnAndOneOff(12), Limits{}.withStates(100));
+  const Result result =
+      astar(*samples::packed(task), samples::allOnAndOneOff(12), Limits{}.withStates(100));
   EXPECT_EQ(result.status, Status::LimitReached);
   EXPECT_EQ(result.limit, LimitReason::States);
   EXPECT_EQ(result.statistics.generated, 101U);
@@ -76,7 +77,7 @@ TEST(AStar, StopsAboveTheGivenBytes) {
   const Task task = samples::switches(16);
   Limits limits;
   limits.bytes = 500'000;
-  const Result result = astar(task, samples::allOnAndOneOff(16), limits);
+  const Result result = astar(*samples::packed(task), samples::allOnAndOneOff(16), limits);
   EXPECT_EQ(result.status, Status::LimitReached);
   EXPECT_EQ(result.limit, LimitReason::Memory);
 }
@@ -87,7 +88,7 @@ TEST(AStar, StopsAtTheFirstStateOnceCancelled) {
   token.cancel();
   Limits limits;
   limits.cancel = &token;
-  const Result result = astar(task, samples::allOnAndOneOff(12), limits);
+  const Result result = astar(*samples::packed(task), samples::allOnAndOneOff(12), limits);
   EXPECT_EQ(result.status, Status::LimitReached);
   EXPECT_EQ(result.limit, LimitReason::Cancelled);
   EXPECT_EQ(result.statistics.generated, 1U);
@@ -95,26 +96,28 @@ TEST(AStar, StopsAtTheFirstStateOnceCancelled) {
 
 TEST(AStar, StopsAtAPastDeadline) {
   const Task task = samples::switches(12);
-  const Result result = astar(task, samples::allOnAndOneOff(12), Limits{}.withSeconds(-1));
+  const Result result =
+      astar(*samples::packed(task), samples::allOnAndOneOff(12), Limits{}.withSeconds(-1));
   EXPECT_EQ(result.status, Status::LimitReached);
   EXPECT_EQ(result.limit, LimitReason::Time);
   EXPECT_LE(result.statistics.generated, 16U);
 }
 
 TEST(AStar, ProvesWhatNothingReaches) {
-  const Result result = astar(samples::switches(6), samples::allOnAndOneOff(6), {});
+  const Result result =
+      astar(*samples::packed(samples::switches(6)), samples::allOnAndOneOff(6), {});
   EXPECT_EQ(result.status, Status::Unsolvable);
   EXPECT_EQ(result.statistics.expanded, 64U);
 }
 
 TEST(AStar, LooksAtWhatTheGoalNeedsAlone) {
-  const Result result = astar(samples::switches(12), samples::impossible(), {});
+  const Result result = astar(*samples::packed(samples::switches(12)), samples::impossible(), {});
   EXPECT_EQ(result.status, Status::Unsolvable);
   EXPECT_EQ(result.statistics.expanded, 2U) << "eleven switches don't matter";
 }
 
 TEST(AStar, AGoalThatHoldsNeedsNoPlan) {
-  const Result result = astar(samples::switches(3), task::FactSet{0, 2}, {});
+  const Result result = astar(*samples::packed(samples::switches(3)), task::FactSet{0, 2}, {});
   EXPECT_EQ(result.status, Status::Solved);
   EXPECT_TRUE(result.plan.empty());
   EXPECT_EQ(result.cost, 0);

@@ -20,8 +20,8 @@ using task::Task;
 RC_GTEST_PROP(Exhaustive, VisitsEveryReachableStateOnce, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);
-  const SuccessorGenerator successors(task);
-  Exhaustive exhaustive(task, successors);
+  const auto search_task = samples::packed(task);
+  Exhaustive exhaustive(*search_task);
   std::set<Facts> visited;
   const LimitReason reason = exhaustive.run({}, [&](StateId id, const task::Word* state) {
     RC_ASSERT(visited.insert(oracles::factsOf(task, state)).second);
@@ -39,8 +39,8 @@ RC_GTEST_PROP(Exhaustive, VisitsEveryReachableStateOnce, ()) {
 
 TEST(Exhaustive, PlansAreShortestOnes) {
   const Task task = samples::switches(5);
-  const SuccessorGenerator successors(task);
-  Exhaustive exhaustive(task, successors);
+  const auto search_task = samples::packed(task);
+  Exhaustive exhaustive(*search_task);
   const auto visit = [&](StateId id, const task::Word* state) {
     std::size_t on = 0;
     for (task::FactId fact = 1; fact < 10; fact += 2)
@@ -53,9 +53,9 @@ TEST(Exhaustive, PlansAreShortestOnes) {
 
 TEST(Exhaustive, TheVisitorCanEndIt) {
   const Task task = samples::switches(8);
-  const SuccessorGenerator successors(task);
+  const auto search_task = samples::packed(task);
   for (const int last : {1, 2, 50}) {
-    Exhaustive exhaustive(task, successors);
+    Exhaustive exhaustive(*search_task);
     int visits = 0;
     const auto reason = exhaustive.run(
         {}, [&](StateId /*id*/, const task::Word* /*state*/) { return ++visits < last; });
@@ -66,25 +66,25 @@ TEST(Exhaustive, TheVisitorCanEndIt) {
 
 TEST(Exhaustive, SaysWhichLimitEndedIt) {
   const Task task = samples::switches(14);
-  const SuccessorGenerator successors(task);
+  const auto search_task = samples::packed(task);
   const auto all = [](StateId /*id*/, const task::Word* /*state*/) { return true; };
-  EXPECT_EQ(Exhaustive(task, successors).run(Limits{}.withStates(500), all), LimitReason::States);
-  EXPECT_EQ(Exhaustive(task, successors).run(Limits{}.withSeconds(-1), all), LimitReason::Time);
+  EXPECT_EQ(Exhaustive(*search_task).run(Limits{}.withStates(500), all), LimitReason::States);
+  EXPECT_EQ(Exhaustive(*search_task).run(Limits{}.withSeconds(-1), all), LimitReason::Time);
   Limits narrow;
   narrow.bytes = 300'000;
-  EXPECT_EQ(Exhaustive(task, successors).run(narrow, all), LimitReason::Memory);
+  EXPECT_EQ(Exhaustive(*search_task).run(narrow, all), LimitReason::Memory);
 }
 
 // "Polled at every generated state": from the cancel on, not one more state is visited.
 TEST(Exhaustive, ACancelStopsItWithinOneState) {
   const Task task = samples::switches(12);
-  const SuccessorGenerator successors(task);
+  const auto search_task = samples::packed(task);
   for (const int cancel_at : {1, 2, 13, 14, 100, 1000}) {
     CancelToken token;
     Limits limits;
     limits.cancel = &token;
     int visits = 0;
-    Exhaustive exhaustive(task, successors);
+    Exhaustive exhaustive(*search_task);
     const auto reason = exhaustive.run(limits, [&](StateId /*id*/, const task::Word* /*state*/) {
       if (++visits == cancel_at) token.cancel();
       return true;
@@ -97,8 +97,8 @@ TEST(Exhaustive, ACancelStopsItWithinOneState) {
 
 TEST(Exhaustive, GoesOnBeyondManyStates) {
   const Task task = samples::switches(15);
-  const SuccessorGenerator successors(task);
-  Exhaustive exhaustive(task, successors);
+  const auto search_task = samples::packed(task);
+  Exhaustive exhaustive(*search_task);
   const auto all = [](StateId /*id*/, const task::Word* /*state*/) { return true; };
   EXPECT_EQ(exhaustive.run({}, all), LimitReason::None);
   EXPECT_EQ(exhaustive.size(), 32'768U);

@@ -15,7 +15,7 @@ namespace {
 using task::Task;
 
 Result solve(const Task& task, const task::FactSet& goal, const Limits& limits = {}) {
-  return greedy(task, SuccessorGenerator(task), goal, limits);
+  return greedy(*samples::packed(task), goal, limits);
 }
 
 RC_GTEST_PROP(Greedy, SolvesExactlyWhatIsSolvable, ()) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "goal_alignment/common/limits.h"
+#include "goal_alignment/heuristics/mutex_groups.h"
 #include "goal_alignment/search/result.h"
+#include "goal_alignment/search/search_task.h"
 #include "goal_alignment/task/task.h"
 #include "oracles/state_space.h"
 
@@ -37,6 +40,12 @@ inline task::FactSet allOnAndOneOff(std::size_t bits) {
   for (task::FactId i = 0; i < bits; ++i)
     goal.push_back(2 * i + 1);
   return goal;
+}
+
+/// The task with states packed by the mutex groups that h² finds.
+inline std::unique_ptr<SearchTask> packed(const task::Task& task) {
+  const heuristics::MutexTable mutexes(task, {});
+  return std::make_unique<SearchTask>(task, heuristics::mutexGroups(task, mutexes, {}));
 }
 
 /// The result's plan runs, satisfies the goal and costs what the result says.

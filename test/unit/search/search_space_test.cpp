@@ -19,7 +19,8 @@ using task::Task;
 
 TEST(SearchSpace, BeginsWithTheInitialState) {
   const Task task = samples::switches(2);
-  const SearchSpace space(task);
+  const auto search_task = samples::packed(task);
+  SearchSpace space(*search_task);
   EXPECT_EQ(space.size(), 1U);
   EXPECT_TRUE(space.plan(SearchSpace::kInitial).empty());
   EXPECT_EQ(oracles::factsOf(task, space.state(SearchSpace::kInitial)), (oracles::Facts{0, 2}));
@@ -27,7 +28,8 @@ TEST(SearchSpace, BeginsWithTheInitialState) {
 
 TEST(SearchSpace, AStateKeepsItsFirstWayUntilItIsGivenAnother) {
   const Task task = samples::switches(2);
-  SearchSpace space(task);
+  const auto search_task = samples::packed(task);
+  SearchSpace space(*search_task);
   const StateId left = space.insertSuccessor(SearchSpace::kInitial, 0).first;
   const StateId right = space.insertSuccessor(SearchSpace::kInitial, 2).first;
   const auto [both, is_new] = space.insertSuccessor(left, 2);
@@ -41,8 +43,9 @@ TEST(SearchSpace, AStateKeepsItsFirstWayUntilItIsGivenAnother) {
 RC_GTEST_PROP(SearchSpace, TheBatchEqualsOneByOne, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);
-  SearchSpace one_by_one(task);
-  SearchSpace in_batches(task);
+  const auto search_task = samples::packed(task);
+  SearchSpace one_by_one(*search_task);
+  SearchSpace in_batches(*search_task);
   for (StateId id = 0; id < one_by_one.size() && id < 50; ++id) {
     const oracles::Facts facts = oracles::factsOf(task, one_by_one.state(id));
     const std::vector<OperatorId> applicable = oracles::applicableOperators(task, facts);
