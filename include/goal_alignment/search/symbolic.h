@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "goal_alignment/common/limits.h"
+#include "goal_alignment/heuristics/mutex_groups.h"
+#include "goal_alignment/task/task.h"
+
+namespace goal_alignment::search {
+
+/// Symbolic search: the set of all reachable states as one decision diagram, computed once, from
+/// which every goal set is answered at once. It needs no goal and counts well: where lifts fill up,
+/// fuel runs out or pigeons want holes, the states are many and the diagram is small.
+///
+///     Symbolic symbolic(task, groups);
+///     if (symbolic.run(limits) == LimitReason::None) {
+///       symbolic.reachable(goal);                             // exact; false is a proof
+///       symbolic.minimalConflicts(goal, candidates, 1000, limits);
+///     }
+class Symbolic {
+ public:
+  /// The task and the groups must outlive this.
+  Symbolic(const task::Task& task, const heuristics::MutexGroups& groups);
+  ~Symbolic();
+
+  /// Computes the reachable states. None: done, now or before. After a limit nothing is known; it
+  /// may be tried again. `limits.states` counts steps on diagrams, `limits.bytes` is held by them
+  /// until the end of this object.
+  LimitReason run(const Limits& limits);
+  bool complete() const;
+
+  /// Whether some reachable state satisfies the goal. Only once complete. O(nodes).
+  bool reachable(const task::Goal& goal) const;
+
+  /// How many states are reachable, as far as a double tells, and how many nodes say so.
+  double stateCount() const;
+  std::size_t nodeCount() const;
+  std::size_t bytes() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace goal_alignment::search
