@@ -2,9 +2,11 @@
 #include "goal_alignment/search/symbolic.h"
 
 #include <algorithm>
+#include <set>
 #include <unordered_set>
 #include <utility>
 
+#include "downward_closure.h"
 #include "events.h"
 #include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/search/decision_diagram.h"
@@ -96,11 +98,101 @@ class Symbolic::Implementation {
     return meets(reached_, 0, wanted, failed);
   }
 
+  MinimalConflicts minimalConflicts(const task::Goal& goal, const FactSet& candidates,
+                                    std::size_t most, const Limits& limits) const {
+    MinimalConflicts conflicts;
+    std::vector<FactSet> choices(level_of_.size());  // by level
+    for (const FactId fact : candidates)
+      choices[level_of_[groups_.place(fact).group]].push_back(fact);
+    std::vector<Value> domains;
+    for (const FactSet& choice : choices) {
+      if (!choice.empty()) domains.push_back(static_cast<Value>(choice.size()) + 1);
+    }
+    DecisionDiagram diagram(std::move(domains));
+    diagram.limit(limits);
+    try {
+      DecisionDiagram::Frame held(diagram, 2);
+      for (const FactSet& alternative : goal.alternatives) {
+        const auto views = viewsOf(choices, alternative);
+        if (!views) continue;
+        held[1] = closedBelow(*diagram_, reached_, *views, diagram);
+        held[0] = diagram.unite(held[0], held[1]);
+      }
+      held[1] = minimalOutside(diagram, held[0]);
+      list(diagram, held[1], choices, most, conflicts);
+      if (conflicts.all) addPairs(choices, most, conflicts);
+    } catch (const LimitReached& reached) {
+      conflicts.limit = reached.reason();
+    }
+    return conflicts;
+  }
+
   std::optional<DecisionDiagram> diagram_;
   std::optional<DecisionDiagram::Frame> held_;
   Node reached_ = DecisionDiagram::kEmpty;
 
  private:
+  /// A state seen by which candidate of each group it has, 0 for none; those that don't satisfy the
+  /// goal are hidden. Nothing where two facts of the goal are of one group.
+  std::optional<std::vector<LevelView>> viewsOf(const std::vector<FactSet>& choices,
+                                                const FactSet& goal) const {
+    std::vector<LevelView> views(choices.size());
+    for (std::size_t level = 0; level < views.size(); ++level) {
+      views[level].seen_as.assign(diagram_->domain(level), 0);
+      for (const FactId fact : choices[level])
+        views[level].seen_as[groups_.place(fact).value] = views[level].values++;
+    }
+    for (const FactId fact : goal) {
+      const MutexGroups::Place place = groups_.place(fact);
+      std::vector<Value>& seen_as = views[level_of_[place.group]].seen_as;
+      if (seen_as[place.value] == LevelView::kHidden) return std::nullopt;
+      for (Value value = 0; value < seen_as.size(); ++value) {
+        if (value != place.value) seen_as[value] = LevelView::kHidden;
+      }
+    }
+    return views;
+  }
+
+  /// The vectors of the set, as candidates.
+  static void list(DecisionDiagram& diagram, Node set, const std::vector<FactSet>& choices,
+                   std::size_t most, MinimalConflicts& conflicts) {
+    std::vector<const FactSet*> choice;
+    for (const FactSet& facts : choices) {
+      if (!facts.empty()) choice.push_back(&facts);
+    }
+    conflicts.all = forEachVector(diagram, set, [&](const std::vector<Value>& vector) {
+      diagram.step();
+      if (conflicts.sets.size() == most) return false;
+      FactSet facts;
+      for (std::size_t level = 0; level < vector.size(); ++level) {
+        if (vector[level] != 0) facts.push_back((*choice[level])[vector[level] - 1]);
+      }
+      conflicts.sets.push_back(task::makeFactSet(std::move(facts)));
+      return true;
+    });
+  }
+
+  /// Two candidates of one group are a conflict, unless one of them is on its own. No vector has
+  /// both, so no other conflict does.
+  static void addPairs(const std::vector<FactSet>& choices, std::size_t most,
+                       MinimalConflicts& conflicts) {
+    std::set<FactId> alone;
+    for (const FactSet& known : conflicts.sets) {
+      if (known.empty()) return;
+      if (known.size() == 1) alone.insert(known[0]);
+    }
+    for (const FactSet& facts : choices) {
+      for (std::size_t i = 0; i < facts.size(); ++i) {
+        for (std::size_t j = i + 1; j < facts.size(); ++j) {
+          if (alone.count(facts[i]) + alone.count(facts[j]) > 0) continue;
+          conflicts.all = conflicts.sets.size() < most;
+          if (!conflicts.all) return;
+          conflicts.sets.push_back({facts[i], facts[j]});
+        }
+      }
+    }
+  }
+
   bool meets(Node node, std::size_t level, const std::vector<std::optional<Value>>& wanted,
              std::unordered_set<Node>& failed) const {
     if (node == DecisionDiagram::kEnd) return true;
@@ -117,6 +209,11 @@ class Symbolic::Implementation {
   const MutexGroups& groups_;
   std::vector<std::uint32_t> level_of_;  // by group
 };
+
+MinimalConflicts Symbolic::minimalConflicts(const task::Goal& goal, const FactSet& candidates,
+                                            std::size_t most, const Limits& limits) const {
+  return implementation_->minimalConflicts(goal, candidates, most, limits);
+}
 
 Symbolic::Symbolic(const task::Task& task, const MutexGroups& groups)
     : implementation_(std::make_unique<Implementation>(task, groups)) {}

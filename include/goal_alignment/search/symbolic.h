@@ -12,6 +12,14 @@
 
 namespace goal_alignment::search {
 
+/// Sets of facts that no reachable state has together with a goal, while it has every proper
+/// subset.
+struct MinimalConflicts {
+  std::vector<task::FactSet> sets;
+  bool all = false;                       ///< there are no others
+  LimitReason limit = LimitReason::None;  ///< why there may be others; None: more than were wanted
+};
+
 /// Symbolic search: the set of all reachable states as one decision diagram, computed once, from
 /// which every goal set is answered at once. It needs no goal and counts well: where lifts fill up,
 /// fuel runs out or pigeons want holes, the states are many and the diagram is small.
@@ -35,6 +43,12 @@ class Symbolic {
 
   /// Whether some reachable state satisfies the goal. Only once complete. O(nodes).
   bool reachable(const task::Goal& goal) const;
+
+  /// All minimal sets of `candidates` that can't be had together with the goal, at most `most` of
+  /// them; the empty set where the goal itself can't be had. Only once complete. Computed on
+  /// diagrams without listing what can be had; its limits are counted apart from those of run().
+  MinimalConflicts minimalConflicts(const task::Goal& goal, const task::FactSet& candidates,
+                                    std::size_t most, const Limits& limits) const;
 
   /// How many states are reachable, as far as a double tells, and how many nodes say so.
   double stateCount() const;

@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <thread>
 
 #include "counting.h"
 #include "oracles/conditional_task.h"
+#include "oracles/random_task.h"
 #include "oracles/seeds.h"
 #include "samples.h"
 
@@ -92,6 +94,93 @@ TEST(Symbolic, ProvesThatPigeonsDontFit) {
   EXPECT_FALSE(symbolic.reachable(housed));
   housed.pop_back();
   EXPECT_TRUE(symbolic.reachable(housed));
+}
+
+/// By brute force over all subsets of the candidates, smaller ones first.
+std::set<FactSet> conflictsByDefinition(const std::set<Facts>& states, const task::Goal& goal,
+                                        const FactSet& candidates) {
+  std::set<FactSet> conflicts;
+  std::vector<std::size_t> subsets(std::size_t{1} << candidates.size());
+  std::iota(subsets.begin(), subsets.end(), 0);
+  std::stable_sort(subsets.begin(), subsets.end(), [](std::size_t a, std::size_t b) {
+    return __builtin_popcountll(a) < __builtin_popcountll(b);
+  });
+  for (const std::size_t subset : subsets) {
+    FactSet facts;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if ((subset >> i & 1U) != 0) facts.push_back(candidates[i]);
+    }
+    const auto had = [&](const Facts& state) {
+      const auto met = [&](const FactSet& alternative) {
+        return oracles::holds(alternative, state);
+      };
+      return oracles::holds(facts, state) &&
+             std::any_of(goal.alternatives.begin(), goal.alternatives.end(), met);
+    };
+    const auto within = [&](const FactSet& known) {
+      return std::includes(facts.begin(), facts.end(), known.begin(), known.end());
+    };
+    if (std::none_of(states.begin(), states.end(), had) &&
+        std::none_of(conflicts.begin(), conflicts.end(), within)) {
+      conflicts.insert(facts);
+    }
+  }
+  return conflicts;
+}
+
+void checkConflicts(RandomSource& random, const Task& task, const MutexGroups& groups) {
+  Symbolic symbolic(task, groups);
+  RC_ASSERT(symbolic.run({}) == LimitReason::None);
+  const std::set<Facts> states = oracles::conditionallyReachable(task);
+  task::Goal goal;
+  for (std::size_t n = oracles::between(random, 0, 2); n > 0; --n)
+    goal.alternatives.push_back(oracles::randomGoal(random, task));
+  if (oracles::chance(random, 0.3)) goal = FactSet{};
+  FactSet candidates;
+  for (FactId fact = 0; fact < task.facts.size(); ++fact) {
+    if (oracles::chance(random, 0.8)) candidates.push_back(fact);
+  }
+  const std::set<FactSet> expected = conflictsByDefinition(states, goal, candidates);
+  const MinimalConflicts found = symbolic.minimalConflicts(goal, candidates, 100'000, {});
+  RC_ASSERT(found.all);
+  RC_ASSERT(found.sets.size() == expected.size());
+  RC_ASSERT((std::set<FactSet>(found.sets.begin(), found.sets.end())) == expected);
+  if (expected.empty()) return;
+  const MinimalConflicts fewer =
+      symbolic.minimalConflicts(goal, candidates, expected.size() - 1, {});
+  RC_ASSERT(!fewer.all);
+  RC_ASSERT(fewer.sets.size() == expected.size() - 1);
+  for (const FactSet& conflict : fewer.sets)
+    RC_ASSERT(expected.count(conflict) == 1);
+}
+
+RC_GTEST_PROP(Symbolic, FindsTheMinimalConflictsOfTheDefinition, ()) {
+  RandomSource random = oracles::anySource();
+  const Task task = oracles::randomTask(random);
+  checkConflicts(random, task, groupsFromPairs(task, MutexTable(task, {}), {}));
+}
+
+RC_GTEST_PROP(Symbolic, FindsThemDespiteConditionalEffects, ()) {
+  RandomSource random = oracles::anySource();
+  const Task task = oracles::randomConditionalTask(random);
+  checkConflicts(random, task, groupsFromInvariants(task, {}));
+}
+
+// Seven pigeons, five holes: every six of them are a conflict.
+TEST(Symbolic, CountsConflictsOut) {
+  const samples::Pigeonholes pigeonholes(7, 5);
+  const MutexGroups groups = groupsFromInvariants(pigeonholes.task, {});
+  Symbolic symbolic(pigeonholes.task, groups);
+  ASSERT_EQ(symbolic.run({}), LimitReason::None);
+  const MinimalConflicts found = symbolic.minimalConflicts(FactSet{}, pigeonholes.housed, 100, {});
+  EXPECT_TRUE(found.all);
+  EXPECT_EQ(found.sets.size(), 7U);
+  for (const FactSet& conflict : found.sets)
+    EXPECT_EQ(conflict.size(), 6U);
+  const MinimalConflicts none =
+      symbolic.minimalConflicts(FactSet{}, pigeonholes.housed, 100, Limits{}.withStates(3));
+  EXPECT_FALSE(none.all);
+  EXPECT_EQ(none.limit, LimitReason::States);
 }
 
 TEST(Symbolic, SaysWhichLimitEndedIt) {
