@@ -12,7 +12,8 @@ Saturation::Saturation(DecisionDiagram& diagram, const std::vector<Event>& event
       moves_(diagram.levels()),
       saturate_(diagram.newOperation()),
       saturate_top_(diagram.newOperation()),
-      fire_(diagram.newOperation()) {
+      fire_(diagram.newOperation()),
+      fire_once_(diagram.newOperation()) {
   for (std::size_t level = 0; level < moves_.size(); ++level)
     moves_[level].resize(diagram.domain(level));
   for (const Event& event : events) {
@@ -91,7 +92,7 @@ void Saturation::saturateChildren(Frame& children, std::size_t level) {
       grown[from] = false;
       for (const Move& move : moves_[level][from]) {
         if (children[from] == DecisionDiagram::kEmpty) break;
-        children[size] = fire(move.rest, children[from], level + 1);
+        children[size] = fire(move.rest, children[from], level + 1, true);
         const Node larger = diagram_.unite(children[move.to], children[size], level + 1);
         if (larger == children[move.to]) continue;
         children[move.to] = larger;
@@ -102,27 +103,46 @@ void Saturation::saturateChildren(Frame& children, std::size_t level) {
   }
 }
 
-/// What the rest of an event makes of a saturated node, saturated.
-Saturation::Node Saturation::fire(Chain chain, Node node, std::size_t level) {
+/// What the rest of an event makes of a node; of a saturated node, if so wanted, saturated.
+Saturation::Node Saturation::fire(Chain chain, Node node, std::size_t level, bool saturated) {
   if (chain == kDone || node == DecisionDiagram::kEmpty) return node;
-  const Node known = diagram_.recall(fire_, chain, node);
+  const std::uint32_t operation = saturated ? fire_ : fire_once_;
+  const Node known = diagram_.recall(operation, chain, node);
   if (known != DecisionDiagram::kUnknown) return known;
   diagram_.step();
   const Value size = diagram_.domain(level);
   Frame children(diagram_, size + 1);
   if (level < links_[chain].level) {
     for (Value value = 0; value < size; ++value)
-      children[value] = fire(chain, diagram_.child(node, value), level + 1);
+      children[value] = fire(chain, diagram_.child(node, value), level + 1, saturated);
   } else {
     for (const auto& [from, to] : links_[chain].pairs) {
-      children[size] = fire(links_[chain].next, diagram_.child(node, from), level + 1);
+      children[size] = fire(links_[chain].next, diagram_.child(node, from), level + 1, saturated);
       children[to] = diagram_.unite(children[to], children[size], level + 1);
     }
   }
   children[size] = diagram_.make(level, children);
-  const Node result = saturateTop(children[size], level);
-  diagram_.remember(fire_, chain, node, result);
+  const Node result = saturated ? saturateTop(children[size], level) : children[size];
+  diagram_.remember(operation, chain, node, result);
   return result;
+}
+
+Saturation::Node Saturation::afterBelow(Node set, std::size_t level, std::size_t top) {
+  if (set == DecisionDiagram::kEmpty) return set;
+  const Value size = diagram_.domain(level);
+  Frame children(diagram_, size + 1);
+  for (Value from = 0; from < size; ++from) {
+    const Node child = diagram_.child(set, from);
+    if (level < top) {
+      children[from] = afterBelow(child, level + 1, top);
+      continue;
+    }
+    for (const Move& move : moves_[level][from]) {
+      children[size] = fire(move.rest, child, level + 1, false);
+      children[move.to] = diagram_.unite(children[move.to], children[size], level + 1);
+    }
+  }
+  return diagram_.make(level, children);
 }
 
 }  // namespace goal_alignment::search

@@ -30,7 +30,7 @@ class Saturation {
   Node close(Node set, std::size_t first = 0) { return closeBelow(set, 0, first); }
 
   /// The states right after one event whose topmost level is this one. Throws LimitReached.
-  Node after(Node set, std::size_t top);
+  Node after(Node set, std::size_t top) { return afterBelow(set, 0, top); }
 
  private:
   using Value = DecisionDiagram::Value;
@@ -58,7 +58,8 @@ class Saturation {
   Node saturate(Node node, std::size_t level);
   Node saturateTop(Node node, std::size_t level);
   void saturateChildren(Frame& children, std::size_t level);
-  Node fire(Chain chain, Node node, std::size_t level);
+  Node fire(Chain chain, Node node, std::size_t level, bool saturated);
+  Node afterBelow(Node set, std::size_t level, std::size_t top);
 
   DecisionDiagram& diagram_;
   std::vector<Link> links_;
@@ -67,6 +68,7 @@ class Saturation {
   std::uint32_t saturate_;
   std::uint32_t saturate_top_;
   std::uint32_t fire_;
+  std::uint32_t fire_once_;
 };
 
 }  // namespace goal_alignment::search

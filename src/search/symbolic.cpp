@@ -11,6 +11,7 @@
 #include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/search/decision_diagram.h"
 #include "group_order.h"
+#include "path_finder.h"
 #include "saturation.h"
 
 namespace goal_alignment::search {
@@ -35,13 +36,12 @@ class Symbolic::Implementation {
   /// Tries the orders in turn, with ever more steps: at most about three times what the best takes.
   LimitReason run(const Limits& limits) {
     try {
-      const std::vector<Event> events = makeEvents(task_, groups_, limits);
-      const std::vector<GroupOrder> orders = groupOrders(groups_.groups().size(), events);
+      events_ = makeEvents(task_, groups_, limits);
+      const std::vector<GroupOrder> orders = groupOrders(groups_.groups().size(), events_);
       std::uint64_t left = limits.states;
       for (std::uint64_t steps = kFirstSteps;; steps *= 4) {
         for (const GroupOrder& order : orders) {
-          const LimitReason reason =
-              attempt(events, order, limits.withStates(std::min(steps, left)));
+          const LimitReason reason = attempt(order, limits.withStates(std::min(steps, left)));
           if (reason != LimitReason::States) return reason;
           left -= std::min(steps, left);
           if (left == 0) return reason;
@@ -52,8 +52,7 @@ class Symbolic::Implementation {
     }
   }
 
-  LimitReason attempt(const std::vector<Event>& events, const GroupOrder& order,
-                      const Limits& limits) {
+  LimitReason attempt(const GroupOrder& order, const Limits& limits) {
     held_.reset();
     level_of_.assign(order.size(), 0);
     std::vector<Value> domains;
@@ -65,7 +64,7 @@ class Symbolic::Implementation {
     diagram_->limit(limits);
     try {
       held_.emplace(*diagram_, 1);
-      Saturation saturation(*diagram_, events, level_of_);
+      Saturation saturation(*diagram_, events_, level_of_);
       (*held_)[0] = diagram_->single(initial());
       const Node closed = saturation.close((*held_)[0]);
       (*held_)[0] = reached_ = closed;
@@ -86,16 +85,25 @@ class Symbolic::Implementation {
     return values;
   }
 
-  bool reachable(const FactSet& facts) const {
+  /// Some reachable state with all these facts, by level.
+  std::optional<std::vector<Value>> reachedState(const FactSet& facts) const {
     std::vector<std::optional<Value>> wanted(level_of_.size());
     for (const FactId fact : facts) {
       const MutexGroups::Place place = groups_.place(fact);
       std::optional<Value>& at = wanted[level_of_[place.group]];
-      if (at && *at != place.value) return false;
+      if (at && *at != place.value) return std::nullopt;
       at = place.value;
     }
     std::unordered_set<Node> failed = {DecisionDiagram::kEmpty};
-    return meets(reached_, 0, wanted, failed);
+    std::vector<Value> state;
+    if (!meet(reached_, wanted, failed, state)) return std::nullopt;
+    return state;
+  }
+
+  task::Plan plan(const std::vector<Value>& state, const Limits& limits) {
+    diagram_->limit(limits);
+    if (!path_finder_) path_finder_.emplace(*diagram_, events_, level_of_);
+    return path_finder_->path(initial(), state);
   }
 
   MinimalConflicts minimalConflicts(const task::Goal& goal, const FactSet& candidates,
@@ -129,6 +137,7 @@ class Symbolic::Implementation {
 
   std::optional<DecisionDiagram> diagram_;
   std::optional<DecisionDiagram::Frame> held_;
+  std::optional<PathFinder> path_finder_;
   Node reached_ = DecisionDiagram::kEmpty;
 
  private:
@@ -193,13 +202,17 @@ class Symbolic::Implementation {
     }
   }
 
-  bool meets(Node node, std::size_t level, const std::vector<std::optional<Value>>& wanted,
-             std::unordered_set<Node>& failed) const {
+  bool meet(Node node, const std::vector<std::optional<Value>>& wanted,
+            std::unordered_set<Node>& failed, std::vector<Value>& state) const {
     if (node == DecisionDiagram::kEnd) return true;
     if (failed.count(node) > 0) return false;
-    for (Value value = 0; value < diagram_->domain(level); ++value) {
-      if (wanted[level] && *wanted[level] != value) continue;
-      if (meets(diagram_->child(node, value), level + 1, wanted, failed)) return true;
+    const std::optional<Value> only = wanted[state.size()];
+    for (Value value = 0; value < diagram_->domain(state.size()); ++value) {
+      if (only && *only != value) continue;
+      const Node child = diagram_->child(node, value);
+      state.push_back(value);
+      if (meet(child, wanted, failed, state)) return true;
+      state.pop_back();
     }
     failed.insert(node);
     return false;
@@ -207,6 +220,7 @@ class Symbolic::Implementation {
 
   const task::Task& task_;
   const MutexGroups& groups_;
+  std::vector<Event> events_;
   std::vector<std::uint32_t> level_of_;  // by group
 };
 
@@ -230,8 +244,22 @@ bool Symbolic::complete() const {
 }
 
 bool Symbolic::reachable(const task::Goal& goal) const {
-  return std::any_of(goal.alternatives.begin(), goal.alternatives.end(),
-                     [&](const FactSet& facts) { return implementation_->reachable(facts); });
+  return std::any_of(goal.alternatives.begin(), goal.alternatives.end(), [&](const FactSet& facts) {
+    return implementation_->reachedState(facts).has_value();
+  });
+}
+
+std::optional<task::Plan> Symbolic::plan(const task::Goal& goal, const Limits& limits) {
+  for (const FactSet& facts : goal.alternatives) {
+    const auto state = implementation_->reachedState(facts);
+    if (!state) continue;
+    try {
+      return implementation_->plan(*state, limits);
+    } catch (const LimitReached&) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
 }
 
 double Symbolic::stateCount() const {

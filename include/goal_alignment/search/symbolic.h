@@ -44,6 +44,10 @@ class Symbolic {
   /// Whether some reachable state satisfies the goal. Only once complete. O(nodes).
   bool reachable(const task::Goal& goal) const;
 
+  /// A plan, not a shortest one; nothing where the goal is unreachable or the limits are too
+  /// narrow. Only once complete.
+  std::optional<task::Plan> plan(const task::Goal& goal, const Limits& limits);
+
   /// All minimal sets of `candidates` that can't be had together with the goal, at most `most` of
   /// them; the empty set where the goal itself can't be had. Only once complete. Computed on
   /// diagrams without listing what can be had; its limits are counted apart from those of run().

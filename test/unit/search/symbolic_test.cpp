@@ -33,18 +33,34 @@ bool someHold(const std::set<Facts>& states, const FactSet& facts) {
                      [&](const Facts& state) { return oracles::holds(facts, state); });
 }
 
+/// Where the plan leads; the end of the world where a step can't be taken.
+Facts afterPlan(const Task& task, const task::Plan& plan) {
+  task::State state = task::initialState(task);
+  for (const task::OperatorId id : plan) {
+    const task::State before = state;
+    if (!task::contains(before.data(), task.operators[id].precondition)) return {};
+    task::apply(task.operators[id], before.data(), before.size(), state.data());
+  }
+  return oracles::factsOf(task, state.data());
+}
+
 /// As many states as by brute force, and the same sets of up to three facts in one of them.
 void checkReached(const Task& task, const MutexGroups& groups) {
   Symbolic symbolic(task, groups);
   RC_ASSERT(symbolic.run({}) == LimitReason::None);
   RC_ASSERT(symbolic.complete());
   const std::set<Facts> states = oracles::conditionallyReachable(task);
+  const auto runs = [&](const FactSet& goal) {
+    const auto plan = symbolic.plan(goal, {});
+    return plan && oracles::holds(goal, afterPlan(task, *plan));
+  };
   RC_ASSERT(symbolic.stateCount() == static_cast<double>(states.size()));
   for (FactId f = 0; f < task.facts.size(); ++f) {
     for (FactId g = f; g < task.facts.size(); ++g) {
       for (FactId h = g; h < task.facts.size(); ++h) {
         const FactSet facts = task::makeFactSet({f, g, h});
         RC_ASSERT(symbolic.reachable(facts) == someHold(states, facts));
+        RC_ASSERT(runs(facts) == someHold(states, facts));
       }
     }
   }
