@@ -33,9 +33,30 @@ std::vector<double> weights(const std::vector<double>& differences, double beta,
 /// Costs of the prefixes of π^H, the empty one first.
 std::vector<Cost> prefixCosts(const Problem& problem, bool unit_costs) {
   std::vector<Cost> costs;
-  for (std::size_t i = 0; i < problem.expectation.states.size(); ++i) {
+  for (std::size_t i = 0; i < problem.expectation.costs.size(); ++i) {
     costs.push_back(unit_costs ? static_cast<Cost>(i) : problem.expectation.costs[i]);
   }
+  return costs;
+}
+
+/// For each candidate the cost of the cheapest prefix of π^H that achieves it together with G^H.
+/// π^H itself achieves every candidate, so there always is one.
+std::vector<Cost> cheapestPrefixes(const Problem& problem, const std::vector<Cost>& prefix_costs,
+                                   const Limits& limits) {
+  std::vector<std::optional<Cost>> first(problem.candidates.size());
+  problem.expectation.forEachState([&](std::size_t step, const validation::AtomSet& state) {
+    if (!validation::unsatisfied(problem.human, state, problem.specified).empty()) return;
+    if (!validation::satisfiesCondition(problem.human, state, limits)) return;
+    for (std::size_t c = 0; c < first.size(); ++c) {
+      if (first[c]) continue;
+      const std::vector<Literal> fluent = {problem.candidates[c].fluent};
+      if (validation::unsatisfied(problem.human, state, fluent).empty()) {
+        first[c] = prefix_costs[step];
+      }
+    }
+  });
+  std::vector<Cost> costs(first.size());
+  std::transform(first.begin(), first.end(), costs.begin(), [](auto cost) { return cost.value(); });
   return costs;
 }
 
@@ -45,6 +66,7 @@ class HumanCosts {
   HumanCosts(const Problem& problem, bool unit_costs, const Limits& limits, std::uint64_t states)
       : problem_(problem),
         prefix_costs_(prefixCosts(problem, unit_costs)),
+        cheapest_prefixes_(cheapestPrefixes(problem, prefix_costs_, limits)),
         human_(grounding::ground(problem.human, problem.specified, {unit_costs}, limits)),
         successors_(human_.task),
         search_limits_(limits.withStates(states)) {
@@ -56,22 +78,21 @@ class HumanCosts {
 
   Cost humanPlanCost() const { return prefix_costs_.back(); }
 
-  Cost optimal(const Literal& fluent, CostDifferences& progress) {
-    const FactStatus status = human_.status(fluent);
+  Cost optimal(std::size_t candidate, CostDifferences& progress) {
+    const FactStatus status = human_.status(problem_.candidates[candidate].fluent);
     std::optional<task::FactId> key;
     if (status.kind == FactStatus::Kind::Variable) key = status.fact;
     if (const auto known = costs_.find(key); known != costs_.end()) return known->second;
-    const Cost cost = search(fluent, key, progress);
+    const Cost cost = search(cheapest_prefixes_[candidate], key, progress);
     costs_.emplace(key, cost);
     return cost;
   }
 
  private:
-  Cost search(const Literal& fluent, std::optional<task::FactId> fact, CostDifferences& progress) {
+  Cost search(Cost bound, std::optional<task::FactId> fact, CostDifferences& progress) {
     task::FactSet goal = goal_;
     if (fact) goal.push_back(*fact);
     goal = task::makeFactSet(std::move(goal));
-    const Cost bound = cheapestPrefix(fluent);
     ++progress.planner_calls;
     const search::Result result =
         search::astar(human_.task, successors_, goal, search_limits_, bound);
@@ -80,19 +101,9 @@ class HumanCosts {
     return result.status == search::Status::Solved ? result.cost : bound;
   }
 
-  /// π^H itself achieves every candidate, so there always is one.
-  Cost cheapestPrefix(const Literal& fluent) const {
-    std::vector<Literal> wanted = problem_.specified;
-    wanted.push_back(fluent);
-    const auto& states = problem_.expectation.states;
-    std::size_t i = 0;
-    while (!validation::unsatisfied(problem_.human, states[i], wanted).empty())
-      ++i;
-    return prefix_costs_[i];
-  }
-
   const Problem& problem_;
   std::vector<Cost> prefix_costs_;
+  std::vector<Cost> cheapest_prefixes_;  // by candidate
   grounding::GroundTask human_;
   search::SuccessorGenerator successors_;
   Limits search_limits_;
@@ -107,8 +118,8 @@ CostDifferences costDifferences(const Problem& problem, bool unit_costs, const L
   HumanCosts costs(problem, unit_costs, limits, states_per_search);
   CostDifferences result;
   result.values.reserve(problem.candidates.size());
-  for (const Candidate& candidate : problem.candidates) {
-    const Cost difference = costs.humanPlanCost() - costs.optimal(candidate.fluent, result);
+  for (std::size_t c = 0; c < problem.candidates.size(); ++c) {
+    const Cost difference = costs.humanPlanCost() - costs.optimal(c, result);
     result.values.push_back(std::abs(static_cast<double>(difference)));
   }
   return result;
