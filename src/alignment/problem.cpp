@@ -80,10 +80,11 @@ HumanPlanInvalid::HumanPlanInvalid(const validation::Violation& violation)
 
 GoalNotExpected::GoalNotExpected(const std::vector<Literal>& missing, const std::string& condition,
                                  bool plan_is_empty)
-    : Exception(plan_is_empty ? "no plan given: I can't know what you expect; not so now: " +
-                                    goalText(missing, condition)
-                              : "the human's plan does not lead to the specified goal: at its end " +
-                                    goalText(missing, condition) + " is not so"),
+    : Exception(plan_is_empty
+                    ? "no plan given: I can't know what you expect; not so now: " +
+                          goalText(missing, condition)
+                    : "the human's plan does not lead to the specified goal: at its end " +
+                          goalText(missing, condition) + " is not so"),
       missing_(missing) {}
 
 Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Literal>& goal,

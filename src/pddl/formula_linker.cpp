@@ -64,8 +64,8 @@ Term FormulaLinker::term(const ast::Name& name) const {
   for (const auto& [variable, index] : indices_)
     known.push_back("?" + variable);
   std::sort(known.begin(), known.end());
-  fail(name, "unknown parameter " + inQuotes(name.spelling) + here_ +
-                 suggestion(name.spelling, known));
+  fail(name,
+       "unknown parameter " + inQuotes(name.spelling) + here_ + suggestion(name.spelling, known));
 }
 
 /// A variable of a wider type than the predicate's is usual: only its objects of the predicate's
@@ -73,7 +73,8 @@ Term FormulaLinker::term(const ast::Name& name) const {
 void FormulaLinker::checkType(const ast::Name& name, const Term& term, const Predicate& signature,
                               TypeId wanted) const {
   const Model& model = context_.model;
-  const TypeId is = term.is_parameter ? variables_[term.index].type : model.objects[term.index].type;
+  const TypeId is =
+      term.is_parameter ? variables_[term.index].type : model.objects[term.index].type;
   if (term.is_parameter ? model.overlap(is, wanted) : model.isSubtype(is, wanted)) return;
   fail(name, wrongType(model, name.spelling, is, signature.name.spelling, wanted) + here_);
 }

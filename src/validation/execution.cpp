@@ -124,9 +124,8 @@ std::optional<Violation> Step::checkPrecondition(const AtomSet& state) {
   }
   for (const pddl::Formula& part : schema_->condition.parts) {
     if (evaluation.holds(part)) continue;
-    return violation(Kind::Precondition, "the precondition " +
-                                             model_.text(part, variables_, binding_) +
-                                             " is false");
+    return violation(Kind::Precondition,
+                     "the precondition " + model_.text(part, variables_, binding_) + " is false");
   }
   return std::nullopt;
 }
@@ -141,9 +140,8 @@ AtomSet Step::touched(const AtomSet& state, bool add) {
   touch(*schema_);
   Evaluation evaluation(model_, state, variables_, binding_, monitor_);
   for (const pddl::ConditionalEffect& effect : schema_->conditional) {
-    evaluation.anyBinding(effect.variables, [&] {
-      return evaluation.holds(effect.condition) && touch(effect);
-    });
+    evaluation.anyBinding(effect.variables,
+                          [&] { return evaluation.holds(effect.condition) && touch(effect); });
   }
   return atoms;
 }
@@ -177,8 +175,7 @@ bool holds(const pddl::Model& model, const AtomSet& state, const Literal& litera
 
 }  // namespace
 
-void Execution::forEachState(
-    const std::function<void(std::size_t, const AtomSet&)>& visit) const {
+void Execution::forEachState(const std::function<void(std::size_t, const AtomSet&)>& visit) const {
   // Back to the start first: only the end is there as a whole.
   AtomSet state = final_;
   for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) {

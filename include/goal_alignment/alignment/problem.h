@@ -52,7 +52,7 @@ struct Candidate {
 struct Problem {
   pddl::Model robot;
   pddl::Model human;
-  std::vector<Literal> specified;      ///< the literal conjuncts of G^H, sorted
+  std::vector<Literal> specified;  ///< the literal conjuncts of G^H, sorted
   std::string condition;  ///< what G^H asks besides, the same in both models; empty: nothing.
                           ///< As a formula it is each model's Model::goal_condition.
   std::vector<GroundName> human_plan;  ///< π^H
@@ -61,7 +61,8 @@ struct Problem {
 };
 
 /// Puts the problem together: G^H is `goal`, or that of the problem files where it is empty, which
-/// then may have a condition that is no conjunction of literals: it is kept as one. S^H is where π^H leads in the human model. Throws GoalsDiffer, HumanPlanInvalid, GoalNotExpected and
+/// then may have a condition that is no conjunction of literals: it is kept as one. S^H is where
+/// π^H leads in the human model. Throws GoalsDiffer, HumanPlanInvalid, GoalNotExpected and
 /// pddl::SemanticError (a goal that the human model can't name), LimitReached.
 /// O(size of the models + sum of the states on the way).
 Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Literal>& goal,

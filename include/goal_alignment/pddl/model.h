@@ -141,7 +141,7 @@ struct Model {
   std::vector<Predicate> predicates;
   std::vector<Predicate> functions;  ///< numeric, without total-cost
   std::vector<Schema> schemas;
-  std::vector<Atom> init;  ///< without duplicates
+  std::vector<Atom> init;                 ///< without duplicates
   std::vector<GoalLiteral> goal;          ///< the conjuncts that are literals,
   Formula goal_condition;                 ///< and what the goal asks besides
   std::vector<Parameter> goal_variables;  ///< that the condition quantifies

@@ -68,7 +68,8 @@ Execution execute(const pddl::Model& model, const std::vector<GroundName>& plan,
 std::vector<Literal> unsatisfied(const pddl::Model& model, const AtomSet& state,
                                  const std::vector<Literal>& goal);
 
-/// Whether the state satisfies what the model's goal asks besides its literals. Throws LimitReached.
+/// Whether the state satisfies what the model's goal asks besides its literals. Throws
+/// LimitReached.
 bool satisfiesCondition(const pddl::Model& model, const AtomSet& state, const Limits& limits = {});
 
 /// What is wrong with the plan for this goal and the condition of the model's goal, in one

@@ -15,8 +15,10 @@
 namespace goal_alignment::grounding {
 namespace {
 
-GroundName nameOf(const pddl::Model& model, const Instantiation& instantiation) {
-  GroundName name{model.schemas.at(static_cast<std::size_t>(instantiation.schema)).name.name, {}};
+GroundName nameOf(const pddl::Model& model, const RelaxedReachability& relaxed,
+                  const Instantiation& instantiation) {
+  const Rule& rule = relaxed.rules.at(instantiation.rule);
+  GroundName name{model.schemas.at(static_cast<std::size_t>(rule.schema)).name.name, {}};
   for (const pddl::ObjectId object : instantiation.arguments) {
     name.arguments.push_back(model.objects.at(static_cast<std::size_t>(object)).name.name);
   }
@@ -41,7 +43,7 @@ RC_GTEST_PROP(RelaxedReachability, EqualsTheNaiveFixpoint, ()) {
     expected.insert(action.name);
   std::set<GroundName> found;
   for (const Instantiation& instantiation : relaxed.instantiations) {
-    RC_ASSERT(found.insert(nameOf(model, instantiation)).second);  // each once
+    RC_ASSERT(found.insert(nameOf(model, relaxed, instantiation)).second);  // each once
   }
   RC_ASSERT(found == expected);
 }
