@@ -35,12 +35,25 @@ bool holds(const task::FactSet& goal, const Facts& facts) {
   return true;
 }
 
+bool holds(const task::Goal& goal, const Facts& facts) {
+  for (const task::FactSet& alternative : goal.alternatives) {
+    if (holds(alternative, facts)) return true;
+  }
+  return false;
+}
+
 Facts successor(const task::Operator& op, const Facts& facts) {
+  Facts added(op.add.begin(), op.add.end());
+  Facts deleted(op.del.begin(), op.del.end());
+  for (const task::ConditionalEffect& effect : op.conditional) {
+    if (!holds(effect.condition, facts)) continue;
+    added.insert(effect.add.begin(), effect.add.end());
+    deleted.insert(effect.del.begin(), effect.del.end());
+  }
   Facts after = facts;
-  for (const FactId fact : op.del)
+  for (const FactId fact : deleted)
     after.erase(fact);
-  for (const FactId fact : op.add)
-    after.insert(fact);
+  after.insert(added.begin(), added.end());
   return after;
 }
 
