@@ -11,6 +11,10 @@ namespace goal_alignment::alignment {
 
 RobotSide makeRobotSide(const Problem& problem, bool unit_costs,
                         const achievability::SearchBudget& budget, const Limits& limits) {
+  if (!problem.condition.empty()) {
+    throw pddl::UnsupportedError(problem.robot.problem_source, {},
+                                 "not supported yet: the goal " + problem.condition);
+  }
   std::vector<Literal> fluents;
   for (const Candidate& candidate : problem.candidates)
     fluents.push_back(candidate.fluent);
