@@ -37,12 +37,8 @@ void Achievability::classify(const grounding::GroundTask& robot,
                              const std::vector<Literal>& specified,
                              const std::vector<Literal>& candidates) {
   using Kind = FactStatus::Kind;
-  for (const Literal& literal : specified) {
-    const FactStatus status = robot.status(literal);
-    if (status.kind == Kind::Variable) specified_.push_back(status.fact);
-    if (status.kind == Kind::NeverTrue || status.kind == Kind::Unknown) addConflict({});
-  }
-  specified_ = task::makeFactSet(std::move(specified_));
+  specified_ = robot.goal(specified);
+  if (specified_.alternatives.empty()) addConflict({});
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const FactStatus status = robot.status(candidates[i]);
     if (status.kind == Kind::Variable) {
@@ -70,14 +66,23 @@ void Achievability::addConflict(const std::vector<std::size_t>& candidates) {
 }
 
 void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
-  if (mutexes.contains(specified_)) addConflict({});
+  auto& alternatives = specified_.alternatives;
+  const auto impossible = [&](const FactSet& facts) { return mutexes.contains(facts); };
+  alternatives.erase(std::remove_if(alternatives.begin(), alternatives.end(), impossible),
+                     alternatives.end());
+  if (alternatives.empty()) addConflict({});
+  // By candidate: the alternatives of the goal that it does not rule out.
+  std::vector<CandidateSet> possible(facts_.size(), CandidateSet(alternatives.size()));
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < facts_.size(); ++i) {
     if (facts_[i] == kNoFact) continue;
     if (mutexes.mutex(facts_[i], facts_[i])) never_true_.set(i);
-    FactSet with_goal = specified_;
-    with_goal.push_back(facts_[i]);
-    if (mutexes.contains(with_goal)) {
+    for (std::size_t k = 0; k < alternatives.size(); ++k) {
+      FactSet with_goal = alternatives[k];
+      with_goal.push_back(facts_[i]);
+      possible[i].set(k, !mutexes.contains(with_goal));
+    }
+    if (possible[i].none()) {
       addConflict({i});
     } else {
       open.push_back(i);
@@ -85,7 +90,9 @@ void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
   }
   for (std::size_t a = 0; a < open.size(); ++a) {
     for (std::size_t b = a + 1; b < open.size(); ++b) {
-      if (mutexes.mutex(facts_[open[a]], facts_[open[b]])) addConflict({open[a], open[b]});
+      const bool mutex = mutexes.mutex(facts_[open[a]], facts_[open[b]]);
+      if (mutex || !possible[open[a]].intersects(possible[open[b]]))
+        addConflict({open[a], open[b]});
     }
   }
 }
@@ -98,12 +105,12 @@ CandidateSet Achievability::satisfied(const task::Word* state) const {
   return set;
 }
 
-FactSet Achievability::goalFacts(const CandidateSet& set) const {
-  FactSet goal = specified_;
+task::Goal Achievability::goalWith(const CandidateSet& set) const {
+  FactSet facts;
   for (const std::size_t candidate : members(set)) {
-    if (facts_[candidate] != kNoFact) goal.push_back(facts_[candidate]);
+    if (facts_[candidate] != kNoFact) facts.push_back(facts_[candidate]);
   }
-  return task::makeFactSet(std::move(goal));
+  return task::withFacts(specified_, facts);
 }
 
 void Achievability::recordPlan(const task::Plan& plan) {
@@ -113,7 +120,7 @@ void Achievability::recordPlan(const task::Plan& plan) {
   for (std::size_t step = 0;; ++step) {
     const CandidateSet now = satisfied(state.data());
     reached_ |= now;
-    if (goal_possible && task::contains(state.data(), specified_)) {
+    if (goal_possible && task::satisfies(state.data(), specified_)) {
       achieved_.add(now, {plan.begin(), plan.begin() + static_cast<std::ptrdiff_t>(step)});
       conflicts_.clearSuspectedWithin(now);
     }
@@ -176,7 +183,7 @@ Check Achievability::check(const CandidateSet& set, const Limits& limits) {
 std::optional<Check> Achievability::searchGreedily(const CandidateSet& set, const Limits& limits,
                                                    Check& last) {
   ++planner_calls_;
-  const search::Result result = search::greedy(*task_, goalFacts(set), limits);
+  const search::Result result = search::greedy(*task_, goalWith(set), limits);
   if (result.status == search::Status::Solved) {
     recordPlan(result.plan);
     return Check{Verdict::Achievable, result.plan, {}};
@@ -191,13 +198,13 @@ std::optional<Check> Achievability::searchGreedily(const CandidateSet& set, cons
 
 search::Result Achievability::optimalPlan(const CandidateSet& set, const Limits& limits) {
   ++planner_calls_;
-  return search::astar(*task_, goalFacts(set), limits);
+  return search::astar(*task_, goalWith(set), limits);
 }
 
 search::Improved Achievability::improvedPlan(const CandidateSet& set, const task::Plan& plan,
                                              const Limits& limits) {
   ++planner_calls_;
-  return search::improve(*task_, goalFacts(set), plan, limits);
+  return search::improve(*task_, goalWith(set), plan, limits);
 }
 
 Verdict Achievability::reachableAlone(std::size_t candidate, const Limits& limits) {

@@ -26,7 +26,7 @@ LimitReason Achievability::exhaust(const Limits& limits) {
   std::unordered_map<CandidateSet, search::StateId> first_seen;
   std::vector<std::pair<CandidateSet, search::StateId>> maximal;
   const auto visit = [&](search::StateId id, const task::Word* state) {
-    const bool satisfies_goal = task::contains(state, specified_);
+    const bool satisfies_goal = task::satisfies(state, specified_);
     if (!satisfies_goal && reached_.all()) return true;
     CandidateSet now = satisfied(state);
     reached_ |= now;
@@ -62,7 +62,7 @@ bool Achievability::provenUnachievable(const CandidateSet& set, const Limits& li
   if (exhaustive_complete_) return true;
   ++planner_calls_;
   const search::Result result =
-      search::greedy(*task_, goalFacts(set), limits.withStates(budget_.first_greedy));
+      search::greedy(*task_, goalWith(set), limits.withStates(budget_.first_greedy));
   if (result.status == search::Status::Solved) recordPlan(result.plan);
   return result.status == search::Status::Unsolvable;
 }

@@ -36,9 +36,39 @@ std::vector<double> weights(const std::vector<double>& differences, double beta,
 /// Costs of the prefixes of π^H, the empty one first.
 std::vector<Cost> prefixCosts(const Problem& problem, bool unit_costs) {
   std::vector<Cost> costs;
-  for (std::size_t i = 0; i < problem.expectation.states.size(); ++i) {
+  for (std::size_t i = 0; i < problem.expectation.costs.size(); ++i) {
     costs.push_back(unit_costs ? static_cast<Cost>(i) : problem.expectation.costs[i]);
   }
+  return costs;
+}
+
+/// When prefixes of π^H achieve G^H, alone and together with each candidate, at the earliest.
+struct CheapestPrefixes {
+  Cost specified = 0;
+  std::vector<Cost> with;  // by candidate
+};
+
+/// π^H itself achieves every candidate, so there always is one.
+CheapestPrefixes cheapestPrefixes(const Problem& problem, const std::vector<Cost>& prefix_costs,
+                                  const Limits& limits) {
+  std::optional<Cost> alone;
+  std::vector<std::optional<Cost>> first(problem.candidates.size());
+  problem.expectation.forEachState([&](std::size_t step, const validation::AtomSet& state) {
+    if (!validation::unsatisfied(problem.human, state, problem.specified).empty()) return;
+    if (!validation::satisfiesCondition(problem.human, state, limits)) return;
+    if (!alone) alone = prefix_costs[step];
+    for (std::size_t c = 0; c < first.size(); ++c) {
+      if (first[c]) continue;
+      const std::vector<Literal> fluent = {problem.candidates[c].fluent};
+      if (validation::unsatisfied(problem.human, state, fluent).empty()) {
+        first[c] = prefix_costs[step];
+      }
+    }
+  });
+  CheapestPrefixes costs;
+  costs.specified = alone.value();
+  for (const auto& cost : first)
+    costs.with.push_back(cost.value());
   return costs;
 }
 
@@ -56,13 +86,11 @@ class HumanCosts {
       : problem_(problem),
         threads_(options.threads),
         prefix_costs_(prefixCosts(problem, options.unit_costs)),
+        prefixes_(cheapestPrefixes(problem, prefix_costs_, limits)),
         human_(grounding::ground(problem.human, problem.specified, {options.unit_costs}, limits)),
         task_(human_.task, heuristics::groupsFromInvariants(human_.task, limits)),
         search_limits_(limits) {
-    for (const Literal& literal : problem.specified) {
-      const FactStatus status = human_.status(literal);
-      if (status.kind == FactStatus::Kind::Variable) goal_.push_back(status.fact);
-    }
+    goal_ = human_.goal(problem.specified);
     collectQueries();
     const std::uint64_t size = std::max<std::size_t>(1, human_.task.operators.size());
     std::uint64_t states = options.states_per_search;
@@ -101,17 +129,17 @@ class HumanCosts {
 
   /// Candidates that never change share the query for G^H alone, which comes first.
   void collectQueries() {
-    queries_.push_back({std::nullopt, 0, cheapestPrefix(nullptr)});
+    queries_.push_back({std::nullopt, 0, prefixes_.specified});
     std::map<task::FactId, std::size_t> known;
-    for (const Candidate& candidate : problem_.candidates) {
-      const FactStatus status = human_.status(candidate.fluent);
+    for (std::size_t c = 0; c < problem_.candidates.size(); ++c) {
+      const FactStatus status = human_.status(problem_.candidates[c].fluent);
       if (status.kind != FactStatus::Kind::Variable) {
         query_of_.push_back(0);
         continue;
       }
       const auto [query, is_new] = known.emplace(status.fact, queries_.size());
       query_of_.push_back(query->second);
-      if (is_new) queries_.push_back({status.fact, 0, cheapestPrefix(&candidate.fluent)});
+      if (is_new) queries_.push_back({status.fact, 0, prefixes_.with[c]});
     }
   }
 
@@ -128,9 +156,8 @@ class HumanCosts {
     std::vector<search::Result> results(batch.size());
     inParallel(batch.size(), threads_, [&](std::size_t i) {
       const Query& query = queries_[batch[i]];
-      task::FactSet goal = goal_;
-      if (query.fact) goal.push_back(*query.fact);
-      results[i] = search::astar(task_, task::makeFactSet(std::move(goal)), search_limits_,
+      const task::FactSet more = query.fact ? task::FactSet{*query.fact} : task::FactSet{};
+      results[i] = search::astar(task_, task::withFacts(goal_, more), search_limits_,
                                  {query.lower, query.upper});
     });
     for (std::size_t i = 0; i < batch.size(); ++i)
@@ -153,7 +180,7 @@ class HumanCosts {
     task::State state = task::initialState(human_.task);
     Cost cost = 0;
     for (std::size_t step = 0;; ++step) {
-      if (task::contains(state.data(), goal_)) {
+      if (task::satisfies(state.data(), goal_)) {
         for (Query& query : queries_) {
           if (!query.fact || task::testBit(state.data(), *query.fact))
             query.upper = std::min(query.upper, cost);
@@ -167,24 +194,14 @@ class HumanCosts {
     }
   }
 
-  /// π^H itself achieves every candidate, so there always is one.
-  Cost cheapestPrefix(const Literal* fluent) const {
-    std::vector<Literal> wanted = problem_.specified;
-    if (fluent != nullptr) wanted.push_back(*fluent);
-    const auto& states = problem_.expectation.states;
-    std::size_t i = 0;
-    while (!validation::unsatisfied(problem_.human, states[i], wanted).empty())
-      ++i;
-    return prefix_costs_[i];
-  }
-
   const Problem& problem_;
   int threads_;
   std::vector<Cost> prefix_costs_;
+  CheapestPrefixes prefixes_;
   grounding::GroundTask human_;
   search::SearchTask task_;
   Limits search_limits_;
-  task::FactSet goal_;
+  task::Goal goal_;
   std::vector<Query> queries_;
   std::vector<std::size_t> query_of_;  // by candidate
 };

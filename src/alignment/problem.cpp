@@ -21,24 +21,33 @@ std::vector<Literal> sorted(std::vector<Literal> literals) {
   return literals;
 }
 
-std::vector<Literal> specifiedGoal(const pddl::Model& robot, const pddl::Model& human,
-                                   const std::vector<Literal>& goal) {
-  if (goal.empty()) {
-    std::vector<Literal> human_goal = sorted(human.goalLiterals());
-    if (sorted(robot.goalLiterals()) != human_goal) {
-      throw GoalsDiffer("the two problems must have one goal: " + robot.problem_source + " says " +
-                        listed(robot.goalLiterals()) + ", " + human.problem_source + " says " +
-                        listed(human.goalLiterals()));
-    }
-    return human_goal;
-  }
+std::string goalText(const std::vector<Literal>& literals, const std::string& condition) {
+  return listed(literals) + (literals.empty() || condition.empty() ? "" : ", ") + condition;
+}
+
+void specifyByFiles(Problem& problem) {
+  problem.specified = sorted(problem.human.goalLiterals());
+  problem.condition = problem.human.goalConditionText();
+  const std::vector<Literal> robot_goal = sorted(problem.robot.goalLiterals());
+  const std::string robot_condition = problem.robot.goalConditionText();
+  if (robot_goal == problem.specified && robot_condition == problem.condition) return;
+  throw GoalsDiffer("the two problems must have one goal: " + problem.robot.problem_source +
+                    " says " + goalText(problem.robot.goalLiterals(), robot_condition) + ", " +
+                    problem.human.problem_source + " says " +
+                    goalText(problem.human.goalLiterals(), problem.condition));
+}
+
+/// The goal stands in for that of the files, of which nothing remains.
+void specifyByHand(Problem& problem, const std::vector<Literal>& goal) {
   for (const Literal& literal : goal) {
     std::string why_not;
-    if (human.resolve(literal.atom, &why_not)) continue;
-    throw pddl::SemanticError(human.problem_source, {},
+    if (problem.human.resolve(literal.atom, &why_not)) continue;
+    throw pddl::SemanticError(problem.human.problem_source, {},
                               "the goal " + literal.text() + " has no meaning here: " + why_not);
   }
-  return sorted(goal);
+  problem.specified = sorted(goal);
+  problem.robot.setGoal({});
+  problem.human.setGoal({});
 }
 
 bool changes(const pddl::Model& model, const GroundName& atom) {
@@ -69,25 +78,35 @@ HumanPlanInvalid::HumanPlanInvalid(const validation::Violation& violation)
     : Exception("the human's plan does not run in the human's model: " + violation.message),
       step_(violation.step) {}
 
-GoalNotExpected::GoalNotExpected(const std::vector<Literal>& missing, bool plan_is_empty)
+GoalNotExpected::GoalNotExpected(const std::vector<Literal>& missing, const std::string& condition,
+                                 bool plan_is_empty)
     : Exception(plan_is_empty
-                    ? "no plan given: I can't know what you expect; not so now: " + listed(missing)
+                    ? "no plan given: I can't know what you expect; not so now: " +
+                          goalText(missing, condition)
                     : "the human's plan does not lead to the specified goal: at its end " +
-                          listed(missing) + " is not so"),
+                          goalText(missing, condition) + " is not so"),
       missing_(missing) {}
 
 Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Literal>& goal,
                     std::vector<GroundName> human_plan, const Limits& limits) {
   Problem problem;
-  problem.specified = specifiedGoal(robot, human, goal);
-  problem.expectation = validation::execute(human, human_plan);
-  if (problem.expectation.violation) throw HumanPlanInvalid(*problem.expectation.violation);
-  const std::vector<Literal> missing =
-      validation::unsatisfied(human, problem.expectation.finalState(), problem.specified);
-  if (!missing.empty()) throw GoalNotExpected(missing, human_plan.empty());
   problem.robot = std::move(robot);
   problem.human = std::move(human);
   problem.human_plan = std::move(human_plan);
+  if (goal.empty()) {
+    specifyByFiles(problem);
+  } else {
+    specifyByHand(problem, goal);
+  }
+  problem.expectation = validation::execute(problem.human, problem.human_plan, limits);
+  if (problem.expectation.violation) throw HumanPlanInvalid(*problem.expectation.violation);
+  const validation::AtomSet& expected = problem.expectation.finalState();
+  const std::vector<Literal> missing =
+      validation::unsatisfied(problem.human, expected, problem.specified);
+  const bool condition = validation::satisfiesCondition(problem.human, expected, limits);
+  if (!missing.empty() || !condition) {
+    throw GoalNotExpected(missing, condition ? "" : problem.condition, problem.human_plan.empty());
+  }
   problem.candidates = candidatesOf(problem, limits);
   return problem;
 }

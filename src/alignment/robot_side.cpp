@@ -21,8 +21,9 @@ RobotSide makeRobotSide(const Problem& problem, bool unit_costs,
   RobotSide side;
   side.achievability = std::make_unique<achievability::Achievability>(task, problem.specified,
                                                                       fluents, budget, limits);
-  const validation::Execution execution = validation::execute(problem.robot, problem.human_plan);
-  const auto steps_run = static_cast<std::ptrdiff_t>(execution.states.size() - 1);
+  const validation::Execution execution =
+      validation::execute(problem.robot, problem.human_plan, limits);
+  const auto steps_run = static_cast<std::ptrdiff_t>(execution.stepsRun());
   side.achievability->recordExecution(
       {problem.human_plan.begin(), problem.human_plan.begin() + steps_run});
   side.human_plan_runs = !execution.violation;

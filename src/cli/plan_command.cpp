@@ -91,32 +91,17 @@ class Planning {
     result_.cost = validation::execute(model, steps_).cost();
   }
 
-  /// The goal's facts, or nothing where the model proves at once that one of them is never true.
-  static std::optional<task::FactSet> goalFacts(const grounding::GroundTask& ground,
-                                                const std::vector<Literal>& goal) {
-    using Kind = grounding::FactStatus::Kind;
-    task::FactSet facts;
-    for (const Literal& literal : goal) {
-      const grounding::FactStatus status = ground.status(literal);
-      if (status.kind == Kind::NeverTrue || status.kind == Kind::Unknown) {
-        return std::nullopt;
-      }
-      if (status.kind == Kind::Variable) facts.push_back(status.fact);
-    }
-    return task::makeFactSet(std::move(facts));
-  }
-
   void search(const grounding::GroundTask& ground, const std::vector<Literal>& goal,
               const Limits& limits) {
     result_.status = search::Status::Unsolvable;
-    const auto facts = goalFacts(ground, goal);
-    if (!facts) return;
+    const task::Goal facts = ground.goal(goal);
+    if (facts.alternatives.empty()) return;
     const heuristics::MutexTable mutexes(ground.task, limits);
-    if (mutexes.contains(*facts)) return;
+    if (mutexes.rulesOut(facts)) return;
     const search::SearchTask task(mutexes.withoutInapplicable(ground.task),
                                   heuristics::mutexGroups(ground.task, mutexes, limits));
-    result_ = arguments_.optimal ? search::astar(task, *facts, limits)
-                                 : search::greedy(task, *facts, limits);
+    result_ = arguments_.optimal ? search::astar(task, facts, limits)
+                                 : search::greedy(task, facts, limits);
     steps_ = task::names(task.task(), result_.plan);
   }
 

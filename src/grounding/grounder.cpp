@@ -4,24 +4,20 @@
 #include <algorithm>
 #include <utility>
 
+#include "fact_table.h"
 #include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/grounding/relaxed_reachability.h"
+#include "ground_condition.h"
+#include "operator_builder.h"
 
 namespace goal_alignment::grounding {
 
 using pddl::Model;
 using pddl::Schema;
 using task::FactId;
-using task::Operator;
 
-namespace {
-
-constexpr FactId kNoFact = static_cast<FactId>(-1);
-
-}  // namespace
-
-/// Turns what is relaxed reachable into a task: decides which atoms can change, numbers them,
-/// writes the operators.
+/// Turns what is relaxed reachable into a task: decides which atoms can change, has their facts
+/// numbered and the operators written.
 class TaskBuilder {
  public:
   TaskBuilder(const Model& model, const Options& options, const Limits& limits)
@@ -29,17 +25,18 @@ class TaskBuilder {
 
   GroundTask build(const std::vector<Literal>& literals) {
     reached_ = relaxedReachability(model_, limits_);
-    atom_count_ = reached_.atoms.size();
-    initial_.assign(atom_count_, false);
-    std::fill_n(initial_.begin(), reached_.initial_count, true);
     findChangingAtoms();
-    numberFacts(literals);
-    result_.task.operators.reserve(reached_.instantiations.size());
-    for (const Instantiation& instantiation : reached_.instantiations) {
-      pollLimits();
-      addOperator(instantiation);
+    FactTable facts(model_, reached_, changes_);
+    OperatorBuilder operators(model_, reached_, changes_, facts, options_, limits_);
+    for (const Literal& literal : literals) {
+      if (!literal.negated) continue;
+      if (const auto atom = model_.resolve(literal.atom)) facts.decide(*atom, true);
     }
-    nameAtoms();
+    groundGoalCondition(facts);
+    result_.task.operators = operators.build();
+    nameAtoms(facts);
+    result_.task.initial = facts.initial();
+    result_.task.facts = facts.releaseFacts();
     return std::move(result_);
   }
 
@@ -50,153 +47,60 @@ class TaskBuilder {
     if (reason != LimitReason::None) throw LimitReached(reason, "grounding");
   }
 
-  const Schema& schema(const Instantiation& instantiation) const {
-    return model_.schemas[static_cast<std::size_t>(instantiation.schema)];
-  }
-
-  /// The id of a reached atom, or atom_count_.
-  AtomId find(const pddl::LiftedAtom& atom, const Instantiation& instantiation) const {
-    const auto found = reached_.ids.find(groundAtom(atom, instantiation.arguments));
-    return found == reached_.ids.end() ? static_cast<AtomId>(atom_count_) : found->second;
-  }
-
-  /// An atom changes when it is not initially true, or some instantiation deletes it for good.
+  /// An atom changes when it is not initially true, or some instantiation deletes it and does not
+  /// add it under any circumstances.
   void findChangingAtoms() {
-    changes_.resize(atom_count_);
-    for (AtomId id = 0; id < atom_count_; ++id)
-      changes_[id] = !initial_[id];
-    std::vector<AtomId> added;
+    changes_.assign(reached_.atoms.size(), true);
+    std::fill_n(changes_.begin(), reached_.initial_count, false);
+    std::vector<pddl::ObjectId> binding;
+    std::vector<pddl::Atom> added;
     for (const Instantiation& instantiation : reached_.instantiations) {
       pollLimits();
-      const Schema& action = schema(instantiation);
-      if (action.del.empty()) continue;
+      const Rule& rule = reached_.rules[instantiation.rule];
+      const Schema& schema = model_.schemas[static_cast<std::size_t>(rule.schema)];
+      const auto& deleted =
+          rule.effect == Rule::kAction ? schema.del : schema.conditional[rule.effect].del;
+      if (deleted.empty()) continue;
+      binding.resize(schema.parameters.size() + schema.quantified.size());
+      bind(rule, instantiation.arguments, binding);
       added.clear();
-      for (const pddl::LiftedAtom& atom : action.add)
-        added.push_back(find(atom, instantiation));
-      for (const pddl::LiftedAtom& atom : action.del) {
-        const AtomId id = find(atom, instantiation);
-        if (id == atom_count_ || std::find(added.begin(), added.end(), id) != added.end()) continue;
-        changes_[id] = true;
+      for (const pddl::LiftedAtom& atom : schema.add)
+        added.push_back(groundAtom(atom, binding));
+      for (const pddl::LiftedAtom& lifted : deleted) {
+        const pddl::Atom atom = groundAtom(lifted, binding);
+        const auto found = reached_.ids.find(atom);
+        if (found == reached_.ids.end()) continue;
+        if (std::find(added.begin(), added.end(), atom) == added.end())
+          changes_[found->second] = true;
       }
     }
   }
 
-  FactId addFact(AtomId id, bool negated) {
-    result_.task.facts.push_back({model_.name(reached_.atoms[id]), negated});
-    const auto fact = static_cast<FactId>(result_.task.facts.size() - 1);
-    if (initial_[id] != negated) result_.task.initial.push_back(fact);
-    return fact;
+  void groundGoalCondition(FactTable& facts) {
+    ConditionGrounder conditions(model_, facts, limits_);
+    conditions.enter(model_.goal_variables,
+                     std::vector<pddl::ObjectId>(model_.goal_variables.size()));
+    try {
+      result_.condition_ = conditions.of(model_.goal_condition);
+    } catch (const TooManyAlternatives&) {
+      throw pddl::UnsupportedError(model_.problem_source, {},
+                                   "not supported yet: more than " +
+                                       std::to_string(TooManyAlternatives::kMost) +
+                                       " alternatives in the goal");
+    }
   }
 
-  void numberFacts(const std::vector<Literal>& literals) {
-    fact_.assign(atom_count_, kNoFact);
-    complement_.assign(atom_count_, kNoFact);
-    for (AtomId id = 0; id < atom_count_; ++id) {
-      if (changes_[id]) fact_[id] = addFact(id, false);
-    }
-    const auto complement = [this](AtomId id) {
-      if (id != atom_count_ && changes_[id] && complement_[id] == kNoFact) {
-        complement_[id] = addFact(id, true);
-      }
-    };
-    for (const Instantiation& instantiation : reached_.instantiations) {
-      pollLimits();
-      for (const pddl::LiftedLiteral& literal : schema(instantiation).precondition) {
-        if (literal.negated) complement(find(literal.atom, instantiation));
-      }
-    }
-    for (const Literal& literal : literals) {
-      if (!literal.negated) continue;
-      const auto atom = model_.resolve(literal.atom);
-      if (!atom) continue;
-      const auto found = reached_.ids.find(*atom);
-      if (found != reached_.ids.end()) complement(found->second);
-    }
-    std::sort(result_.task.initial.begin(), result_.task.initial.end());
-  }
-
-  task::Cost operatorCost(const Schema& action, const Instantiation& instantiation) const {
-    if (options_.unit_costs || !model_.has_costs) return 1;
-    if (!action.function_cost) return action.constant_cost;
-    const pddl::Atom term = groundAtom(*action.function_cost, instantiation.arguments);
-    const auto value = model_.function_values.find(term);
-    if (value != model_.function_values.end()) return action.constant_cost + value->second;
-    const GroundName name = {model_.functions[static_cast<std::size_t>(term.predicate)].name.name,
-                             {}};
-    std::string text = "(" + name.name;
-    for (const pddl::ObjectId object : term.objects) {
-      text += " " + model_.objects[static_cast<std::size_t>(object)].name.spelling;
-    }
-    throw pddl::SemanticError(model_.problem_source, {},
-                              "the cost of action '" + action.name.spelling +
-                                  "' needs a value of " + text + "), which :init does not give");
-  }
-
-  /// False where the instantiation can never be applied.
-  bool fillPrecondition(const Schema& action, const Instantiation& instantiation,
-                        Operator& op) const {
-    for (const pddl::LiftedLiteral& literal : action.precondition) {
-      const AtomId id = find(literal.atom, instantiation);
-      if (!literal.negated) {
-        if (changes_[id]) op.precondition.push_back(fact_[id]);
-      } else if (id != atom_count_) {
-        if (!changes_[id]) return false;
-        op.precondition.push_back(complement_[id]);
-      }
-    }
-    op.precondition = task::makeFactSet(std::move(op.precondition));
-    for (const pddl::LiftedLiteral& literal : action.precondition) {
-      if (!literal.negated) continue;
-      const AtomId id = find(literal.atom, instantiation);
-      if (id == atom_count_) continue;
-      if (std::binary_search(op.precondition.begin(), op.precondition.end(), fact_[id]))
-        return false;
-    }
-    return true;
-  }
-
-  void addOperator(const Instantiation& instantiation) {
-    const Schema& action = schema(instantiation);
-    Operator op;
-    if (!fillPrecondition(action, instantiation, op)) return;
-    std::vector<AtomId> added;
-    for (const pddl::LiftedAtom& atom : action.add) {
-      const AtomId id = find(atom, instantiation);
-      added.push_back(id);
-      if (!changes_[id]) continue;
-      op.add.push_back(fact_[id]);
-      if (complement_[id] != kNoFact) op.del.push_back(complement_[id]);
-    }
-    for (const pddl::LiftedAtom& atom : action.del) {
-      const AtomId id = find(atom, instantiation);
-      if (id == atom_count_ || std::find(added.begin(), added.end(), id) != added.end()) continue;
-      op.del.push_back(fact_[id]);
-      if (complement_[id] != kNoFact) op.add.push_back(complement_[id]);
-    }
-    op.add = task::makeFactSet(std::move(op.add));
-    op.del = task::makeFactSet(std::move(op.del));
-    op.cost = operatorCost(action, instantiation);
-    if (op.del.empty() && std::includes(op.precondition.begin(), op.precondition.end(),
-                                        op.add.begin(), op.add.end())) {
-      return;  // changes nothing
-    }
-    op.name.name = action.name.name;
-    for (const pddl::ObjectId object : instantiation.arguments) {
-      op.name.arguments.push_back(model_.objects[static_cast<std::size_t>(object)].name.name);
-    }
-    result_.task.operators.push_back(std::move(op));
-  }
-
-  void nameAtoms() {
+  void nameAtoms(const FactTable& facts) {
     using Kind = FactStatus::Kind;
     result_.model_ = &model_;
-    result_.atoms_.reserve(atom_count_);
-    for (AtomId id = 0; id < atom_count_; ++id) {
+    result_.atoms_.reserve(reached_.atoms.size());
+    for (AtomId id = 0; id < reached_.atoms.size(); ++id) {
       pollLimits();
       GroundTask::AtomStatus status;
       if (changes_[id]) {
-        status.positive = {Kind::Variable, fact_[id]};
-        if (complement_[id] != kNoFact) status.negative = {Kind::Variable, complement_[id]};
+        status.positive = {Kind::Variable, facts.fact(id)};
+        const FactId complement = facts.complement(id);
+        if (complement != kNoFact) status.negative = {Kind::Variable, complement};
       } else {
         status.positive = {Kind::AlwaysTrue, 0};
         status.negative = {Kind::NeverTrue, 0};
@@ -210,11 +114,7 @@ class TaskBuilder {
   Limits limits_;
   LimitMonitor monitor_;
   RelaxedReachability reached_;
-  std::size_t atom_count_ = 0;
-  std::vector<bool> initial_;
-  std::vector<bool> changes_;
-  std::vector<FactId> fact_;        // by AtomId, kNoFact where it never changes
-  std::vector<FactId> complement_;  // by AtomId, kNoFact where nobody needs it
+  std::vector<bool> changes_;  // by AtomId
   GroundTask result_;
 };
 
@@ -225,6 +125,22 @@ FactStatus GroundTask::status(const Literal& literal) const {
     return literal.negated ? found->second.negative : found->second.positive;
   if (literal.negated) return {FactStatus::Kind::AlwaysTrue, 0};
   return {atom ? FactStatus::Kind::NeverTrue : FactStatus::Kind::Unknown, 0};
+}
+
+task::Goal GroundTask::goal(const std::vector<Literal>& literals) const {
+  std::vector<FactId> facts;
+  for (const Literal& literal : literals) {
+    const FactStatus is = status(literal);
+    if (is.kind == FactStatus::Kind::AlwaysTrue) continue;
+    if (is.kind != FactStatus::Kind::Variable) return {};
+    facts.push_back(is.fact);
+  }
+  task::Goal goal;
+  for (task::FactSet alternative : condition_) {
+    alternative.insert(alternative.end(), facts.begin(), facts.end());
+    goal.alternatives.push_back(task::makeFactSet(std::move(alternative)));
+  }
+  return goal;
 }
 
 GroundTask ground(const Model& model, const std::vector<Literal>& literals, const Options& options,

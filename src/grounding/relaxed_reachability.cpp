@@ -3,178 +3,207 @@
 
 #include <algorithm>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 
+#include "atom_index.h"
+#include "domains.h"
 #include "goal_alignment/common/exceptions.h"
 
 namespace goal_alignment::grounding {
 
 using pddl::Atom;
+using pddl::Formula;
 using pddl::LiftedAtom;
 using pddl::Model;
 using pddl::ObjectId;
+using pddl::PredicateId;
 using pddl::Schema;
-using pddl::SchemaId;
 using pddl::Term;
 
 namespace {
 
-constexpr ObjectId kUnbound = -1;
 constexpr std::size_t kAccountedBytesPerAtom = 160;
 constexpr std::size_t kAccountedBytesPerInstantiation = 64;
+constexpr AtomId kNoAtom = static_cast<AtomId>(-1);
+constexpr std::size_t kNoTrigger = std::numeric_limits<std::size_t>::max();
 
-/// Atoms that have appeared, by predicate and by (predicate, argument position, object).
-class AtomIndex {
- public:
-  explicit AtomIndex(const Model& model) : objects_(model.objects.size()) {
-    all_.resize(model.predicates.size());
-    by_argument_.resize(model.predicates.size());
-    for (std::size_t p = 0; p < model.predicates.size(); ++p) {
-      by_argument_[p].resize(model.predicates[p].parameter_types.size() * objects_);
-    }
-  }
-
-  void insert(const Atom& atom, AtomId id) {
-    const auto p = static_cast<std::size_t>(atom.predicate);
-    all_[p].push_back(id);
-    for (std::size_t i = 0; i < atom.objects.size(); ++i) {
-      by_argument_[p][i * objects_ + static_cast<std::size_t>(atom.objects[i])].push_back(id);
-    }
-  }
-
-  /// The shortest list that holds every atom matching the lifted atom under the binding.
-  const std::vector<AtomId>& candidates(const LiftedAtom& atom,
-                                        const std::vector<ObjectId>& binding) const {
-    const auto p = static_cast<std::size_t>(atom.predicate);
-    const std::vector<AtomId>* best = &all_[p];
-    for (std::size_t i = 0; i < atom.terms.size(); ++i) {
-      const Term& term = atom.terms[i];
-      const ObjectId object =
-          term.is_parameter ? binding[static_cast<std::size_t>(term.index)] : term.index;
-      if (object == kUnbound) continue;
-      const auto& list = by_argument_[p][i * objects_ + static_cast<std::size_t>(object)];
-      if (list.size() < best->size()) best = &list;
-    }
-    return *best;
-  }
-
- private:
-  std::size_t objects_;
-  std::vector<std::vector<AtomId>> all_;
-  std::vector<std::vector<std::vector<AtomId>>> by_argument_;
+/// A rule as the join needs it.
+struct Plan {
+  const Rule* rule = nullptr;
+  std::size_t binding_size = 0;
+  std::vector<std::shared_ptr<const Domain>> domains;  // by variable; null: bound by a quantifier
+  std::vector<int> free;  // variables that no atom of the body mentions
+  std::vector<int> kept;  // variables whose objects make a difference to what can change
+  std::unordered_set<Atom, pddl::AtomHash> found;  // what they were, where they are not all
 };
 
 /// One run of the fixpoint.
 class Join {
  public:
   Join(const Model& model, const Limits& limits)
-      : model_(model), limits_(limits), monitor_(limits), index_(model) {
-    indexTypes();
-    occurrences_.resize(model.predicates.size());
-    deletable_.assign(model.predicates.size(), false);
-    for (std::size_t s = 0; s < model.schemas.size(); ++s) {
-      const Schema& schema = model.schemas[s];
-      for (const LiftedAtom& atom : schema.del) {
+      : model_(model),
+        limits_(limits),
+        monitor_(limits),
+        predicates_(model.predicates.size() + model.schemas.size()),
+        index_(result_.atoms, predicates_),
+        occurrences_(predicates_),
+        deletable_(predicates_, false) {
+    result_.rules = compileRules(model, limits);
+    const auto note = [this](const std::vector<LiftedAtom>& deleted) {
+      for (const LiftedAtom& atom : deleted)
         deletable_[static_cast<std::size_t>(atom.predicate)] = true;
-      }
-      for (std::size_t i = 0; i < schema.precondition.size(); ++i) {
-        if (schema.precondition[i].negated) continue;
-        const auto p = static_cast<std::size_t>(schema.precondition[i].atom.predicate);
-        occurrences_[p].push_back({static_cast<SchemaId>(s), i});
-      }
+    };
+    for (const Schema& schema : model.schemas) {
+      note(schema.del);
+      for (const pddl::ConditionalEffect& effect : schema.conditional)
+        note(effect.del);
     }
   }
 
   RelaxedReachability run() {
-    for (const bool fluent : {false, true}) {
-      for (const Atom& atom : model_.init) {
-        if (model_.predicates[static_cast<std::size_t>(atom.predicate)].fluent == fluent)
-          intern(atom);
-      }
-    }
-    result_.initial_count = result_.atoms.size();
-    for (std::size_t s = 0; s < model_.schemas.size(); ++s) {
-      const auto& precondition = model_.schemas[s].precondition;
-      const bool triggered = std::any_of(precondition.begin(), precondition.end(),
-                                         [](const auto& literal) { return !literal.negated; });
+    internInitialAtoms();
+    AtomId id = 0;
+    for (; id < result_.initial_count && isStatic(result_.atoms[id].predicate); ++id)
+      index_.insert(id);
+    makePlans();
+    for (const Plan& plan : plans_) {
+      const auto& body = plan.rule->body;
+      const bool triggered = std::any_of(
+          body.begin(), body.end(), [this](const auto& atom) { return !isStatic(atom.predicate); });
       if (triggered) continue;
-      start(static_cast<SchemaId>(s), std::numeric_limits<std::size_t>::max());
+      start(static_cast<std::size_t>(&plan - plans_.data()), kNoTrigger);
       extend();
     }
-    for (AtomId id = 0; id < result_.atoms.size(); ++id) {
-      index_.insert(result_.atoms[id], id);
+    for (; id < result_.atoms.size(); ++id) {
+      index_.insert(id);
       trigger(id);
     }
+    forgetReachedActions();
     return std::move(result_);
   }
 
  private:
   struct Occurrence {
-    SchemaId schema;
-    std::size_t precondition;
+    std::size_t plan;
+    std::size_t position;  // in the body
   };
 
-  void indexTypes() {
-    objects_of_.resize(model_.types.size());
-    for (std::size_t o = 0; o < model_.objects.size(); ++o) {
-      for (pddl::TypeId t = model_.objects[o].type; t != -1; t = model_.types[t].parent)
-        objects_of_[static_cast<std::size_t>(t)].push_back(static_cast<ObjectId>(o));
+  bool isStatic(PredicateId predicate) const {
+    const auto p = static_cast<std::size_t>(predicate);
+    return p < model_.predicates.size() && !model_.predicates[p].fluent;
+  }
+
+  void internInitialAtoms() {
+    for (const bool fluent : {false, true}) {
+      for (const Atom& atom : model_.init) {
+        checkLimits();
+        if (isStatic(atom.predicate) != fluent) intern(atom);
+      }
+    }
+    result_.initial_count = result_.atoms.size();
+  }
+
+  void makePlans() {
+    Domains domains(model_, result_.atoms, index_, limits_);
+    for (const Rule& rule : result_.rules) {
+      Plan plan;
+      const auto narrowed = domains.of(rule);
+      if (narrowed.size() < rule.variables.size()) continue;
+      const Schema& schema = model_.schemas[static_cast<std::size_t>(rule.schema)];
+      plan.rule = &rule;
+      plan.binding_size = schema.parameters.size() + schema.quantified.size();
+      plan.domains.resize(plan.binding_size);
+      for (std::size_t i = 0; i < rule.variables.size(); ++i)
+        plan.domains[static_cast<std::size_t>(rule.variables[i])] = narrowed[i];
+      sortVariables(plan, schema);
+      for (std::size_t i = 0; i < rule.body.size(); ++i) {
+        const LiftedAtom& atom = rule.body[i];
+        if (isStatic(atom.predicate)) continue;
+        occurrences_[static_cast<std::size_t>(atom.predicate)].push_back({plans_.size(), i});
+      }
+      plans_.push_back(std::move(plan));
+    }
+  }
+
+  /// Fills `free` and `kept`.
+  void sortVariables(Plan& plan, const Schema& schema) const {
+    const Rule& rule = *plan.rule;
+    std::vector<bool> in_body(plan.binding_size, false);
+    std::vector<bool> matters(plan.binding_size, !rule.residual.empty());
+    std::fill_n(matters.begin(), schema.parameters.size(), true);
+    const auto note = [](const std::vector<LiftedAtom>& atoms, std::vector<bool>& into, auto&& of) {
+      for (const LiftedAtom& atom : atoms) {
+        for (const Term& term : atom.terms) {
+          if (term.is_parameter && of(atom)) into[static_cast<std::size_t>(term.index)] = true;
+        }
+      }
+    };
+    const auto any = [](const LiftedAtom&) { return true; };
+    const auto fluent = [this](const LiftedAtom& atom) { return !isStatic(atom.predicate); };
+    note(rule.body, in_body, any);
+    note(rule.body, matters, fluent);
+    note(rule.absent, matters, fluent);
+    note(rule.head, matters, any);
+    if (rule.effect != Rule::kAction) note(schema.conditional[rule.effect].del, matters, any);
+    for (const int variable : rule.variables) {
+      if (!in_body[static_cast<std::size_t>(variable)]) plan.free.push_back(variable);
+      if (matters[static_cast<std::size_t>(variable)]) plan.kept.push_back(variable);
     }
   }
 
   void checkLimits() {
     LimitReason reason = monitor_.poll();
     const std::size_t bytes = result_.atoms.size() * kAccountedBytesPerAtom +
-                              result_.instantiations.size() * kAccountedBytesPerInstantiation;
+                              result_.instantiations.size() * kAccountedBytesPerInstantiation +
+                              arguments_ * sizeof(ObjectId) + index_.bytes();
     if (bytes > limits_.bytes) reason = LimitReason::Memory;
     if (reason != LimitReason::None) throw LimitReached(reason, "grounding");
   }
 
   void intern(const Atom& atom) {
     const auto id = static_cast<AtomId>(result_.atoms.size());
-    if (result_.ids.emplace(atom, id).second) result_.atoms.push_back(atom);
+    if (!result_.ids.emplace(atom, id).second) return;
+    result_.atoms.push_back(atom);
+    arguments_ += 2 * atom.objects.size();
   }
 
-  /// Matches the newly visible atom with every precondition it may serve.
+  /// Matches the newly visible atom with every atom of a body that it may serve.
   void trigger(AtomId id) {
     newest_ = id;
     const Atom atom = result_.atoms[id];  // a copy: interning moves the vector
     for (const Occurrence& at : occurrences_[static_cast<std::size_t>(atom.predicate)]) {
       checkLimits();
-      start(at.schema, at.precondition);
-      matched_[at.precondition] = true;
+      ++result_.match_attempts;
+      start(at.plan, at.position);
+      matched_[at.position] = true;
       const std::size_t mark = trail_.size();
-      if (match(schema_->precondition[at.precondition].atom, atom)) extend();
+      if (match(plan_->rule->body[at.position], atom)) extend();
       undo(mark);
     }
   }
 
-  void start(SchemaId schema, std::size_t triggered_by) {
-    schema_id_ = schema;
-    schema_ = &model_.schemas[static_cast<std::size_t>(schema)];
+  void start(std::size_t plan, std::size_t triggered_by) {
+    plan_ = &plans_[plan];
     triggered_by_ = triggered_by;
-    binding_.assign(schema_->parameters.size(), kUnbound);
+    binding_.assign(plan_->binding_size, kUnbound);
     trail_.clear();
-    matched_.assign(schema_->precondition.size(), false);
-    for (std::size_t i = 0; i < matched_.size(); ++i) {
-      if (schema_->precondition[i].negated) matched_[i] = true;
-    }
+    matched_.assign(plan_->rule->body.size(), false);
   }
 
-  /// Binds one parameter; false where its type or an equality forbids the object.
-  bool bindParameter(std::size_t parameter, ObjectId object) {
-    if (!model_.isSubtype(model_.objects[object].type, schema_->parameters[parameter].type)) {
-      return false;
-    }
-    binding_[parameter] = object;
-    trail_.push_back(parameter);
-    for (const pddl::Equality& equality : schema_->equalities) {
-      const ObjectId left = value(equality.left);
-      const ObjectId right = value(equality.right);
-      if (left == kUnbound || right == kUnbound) continue;
-      if ((left == right) == equality.negated) return false;
-    }
-    return true;
+  /// Binds one variable; false where its domain or an equality forbids the object.
+  bool bindVariable(int variable, ObjectId object) {
+    const auto v = static_cast<std::size_t>(variable);
+    if (!(*plan_->domains[v])[static_cast<std::size_t>(object)]) return false;
+    binding_[v] = object;
+    trail_.push_back(v);
+    return std::all_of(plan_->rule->equalities.begin(), plan_->rule->equalities.end(),
+                       [this](const pddl::Equality& equality) {
+                         const ObjectId left = value(equality.left);
+                         const ObjectId right = value(equality.right);
+                         if (left == kUnbound || right == kUnbound) return true;
+                         return (left == right) != equality.negated;
+                       });
   }
 
   ObjectId value(const Term& term) const {
@@ -185,10 +214,7 @@ class Join {
     for (std::size_t i = 0; i < lifted.terms.size(); ++i) {
       const ObjectId bound = value(lifted.terms[i]);
       if (bound == atom.objects[i]) continue;
-      if (bound != kUnbound) return false;
-      if (!bindParameter(static_cast<std::size_t>(lifted.terms[i].index), atom.objects[i])) {
-        return false;
-      }
+      if (bound != kUnbound || !bindVariable(lifted.terms[i].index, atom.objects[i])) return false;
     }
     return true;
   }
@@ -198,80 +224,172 @@ class Join {
       binding_[trail_.back()] = kUnbound;
   }
 
-  /// Matches the remaining preconditions, the one with the fewest candidates first.
-  void extend() {
-    std::size_t next = matched_.size();
+  /// The unmatched atom of the body with the fewest matches, and these; kNoTrigger: all matched.
+  std::pair<std::size_t, const std::vector<AtomId>*> mostConstrained() {
+    std::size_t next = kNoTrigger;
     const std::vector<AtomId>* atoms = nullptr;
     for (std::size_t i = 0; i < matched_.size(); ++i) {
       if (matched_[i]) continue;
-      const auto& candidates = index_.candidates(schema_->precondition[i].atom, binding_);
-      if (atoms == nullptr || candidates.size() < atoms->size()) {
-        next = i;
-        atoms = &candidates;
-      }
+      const auto& candidates = index_.matching(plan_->rule->body[i], binding_);
+      if (atoms != nullptr && candidates.size() >= atoms->size()) continue;
+      next = i;
+      atoms = &candidates;
+      if (atoms->empty()) break;
     }
-    if (atoms == nullptr) {
-      bindRest(0);
+    return {next, atoms};
+  }
+
+  void extend() {
+    const auto [next, atoms] = mostConstrained();
+    if (next == kNoTrigger) {
+      bindFree(0);
       return;
     }
+    const LiftedAtom& lifted = plan_->rule->body[next];
     matched_[next] = true;
     for (const AtomId id : *atoms) {
-      // Preconditions before the trigger take older atoms only, so that an instantiation that uses
-      // the newest atom twice is found once.
+      // Atoms before the trigger take older ones only, so that an instantiation that uses the
+      // newest atom twice is found once.
       if (id == newest_ && next < triggered_by_) continue;
       checkLimits();
+      ++result_.match_attempts;
       const std::size_t mark = trail_.size();
-      if (match(schema_->precondition[next].atom, result_.atoms[id])) extend();
+      if (match(lifted, result_.atoms[id])) extend();
       undo(mark);
     }
     matched_[next] = false;
   }
 
-  /// Parameters that no positive precondition mentions range over their type.
-  void bindRest(std::size_t from) {
-    while (from < binding_.size() && binding_[from] != kUnbound)
-      ++from;
-    if (from == binding_.size()) {
+  void bindFree(std::size_t from) {
+    if (from == plan_->free.size()) {
       instantiate();
       return;
     }
-    for (const ObjectId object :
-         objects_of_[static_cast<std::size_t>(schema_->parameters[from].type)]) {
+    const int variable = plan_->free[from];
+    const Domain& domain = *plan_->domains[static_cast<std::size_t>(variable)];
+    for (std::size_t o = 0; o < domain.size(); ++o) {
       checkLimits();
+      if (!domain[o]) continue;
+      ++result_.match_attempts;
       const std::size_t mark = trail_.size();
-      if (bindParameter(from, object)) bindRest(from + 1);
+      if (bindVariable(variable, static_cast<ObjectId>(o))) bindFree(from + 1);
       undo(mark);
     }
   }
 
+  bool initially(const LiftedAtom& atom) const {
+    const auto found = result_.ids.find(groundAtom(atom, binding_));
+    return found != result_.ids.end() && found->second < result_.initial_count;
+  }
+
+  bool maybeFalse(const LiftedAtom& atom) const {
+    return deletable_[static_cast<std::size_t>(atom.predicate)] || !initially(atom);
+  }
+
+  /// Whether the formula holds when of what can change every literal does. As long as the
+  /// universal quantifiers' objects are many.
+  bool maybeHolds(const Formula& formula) {
+    const auto maybe = [this](const Formula& part) { return maybeHolds(part); };
+    switch (formula.kind) {
+      case Formula::Kind::Literal: {
+        const LiftedAtom& atom = formula.literal.atom;
+        if (formula.literal.negated) return maybeFalse(atom);
+        return !isStatic(atom.predicate) || initially(atom);
+      }
+      case Formula::Kind::Equality:
+        return (value(formula.equality.left) == value(formula.equality.right)) !=
+               formula.equality.negated;
+      case Formula::Kind::And:
+        return std::all_of(formula.parts.begin(), formula.parts.end(), maybe);
+      case Formula::Kind::Or:
+        return std::any_of(formula.parts.begin(), formula.parts.end(), maybe);
+      case Formula::Kind::ForAll:
+        return !anyBinding(formula, 0, false);
+      case Formula::Kind::Exists:
+        return anyBinding(formula, 0, true);
+    }
+    return true;
+  }
+
+  /// Whether the quantifier's part is `wanted` under some binding of its variables.
+  bool anyBinding(const Formula& formula, std::size_t from, bool wanted) {
+    if (from == formula.variables.size()) return maybeHolds(formula.parts.front()) == wanted;
+    const int variable = formula.variables[from];
+    const Schema& schema = model_.schemas[static_cast<std::size_t>(plan_->rule->schema)];
+    const pddl::TypeId type = variableOf(schema, variable).type;
+    ObjectId& bound = binding_[static_cast<std::size_t>(variable)];
+    bool found = false;
+    for (std::size_t o = 0; o < model_.objects.size() && !found; ++o) {
+      checkLimits();
+      if (!model_.isSubtype(model_.objects[o].type, type)) continue;
+      bound = static_cast<ObjectId>(o);
+      found = anyBinding(formula, from + 1, wanted);
+    }
+    bound = kUnbound;
+    return found;
+  }
+
+  /// False where another binding has made the same difference already.
+  bool isNew() {
+    if (plan_->kept.size() == plan_->rule->variables.size()) return true;
+    Atom kept;
+    for (const int variable : plan_->kept)
+      kept.objects.push_back(binding_[static_cast<std::size_t>(variable)]);
+    arguments_ += kept.objects.size();
+    return plan_->found.insert(std::move(kept)).second;
+  }
+
   void instantiate() {
-    for (const pddl::Equality& equality : schema_->equalities) {
+    const Rule& rule = *plan_->rule;
+    for (const pddl::Equality& equality : rule.equalities) {
       if ((value(equality.left) == value(equality.right)) == equality.negated) return;
     }
-    for (const pddl::LiftedLiteral& literal : schema_->precondition) {
-      if (!literal.negated || deletable_[static_cast<std::size_t>(literal.atom.predicate)])
-        continue;
-      const auto found = result_.ids.find(groundAtom(literal.atom, binding_));
-      if (found != result_.ids.end() && found->second < result_.initial_count) return;
+    for (const LiftedAtom& atom : rule.absent) {
+      if (!maybeFalse(atom)) return;
     }
-    result_.instantiations.push_back({schema_id_, binding_});
-    for (const LiftedAtom& atom : schema_->add)
+    for (const Formula* formula : rule.residual) {
+      if (!maybeHolds(*formula)) return;
+    }
+    if (!isNew()) return;
+    Instantiation instantiation;
+    instantiation.rule = static_cast<std::size_t>(&rule - result_.rules.data());
+    for (const int variable : rule.variables)
+      instantiation.arguments.push_back(binding_[static_cast<std::size_t>(variable)]);
+    arguments_ += instantiation.arguments.size();
+    result_.instantiations.push_back(std::move(instantiation));
+    for (const LiftedAtom& atom : rule.head)
       intern(groundAtom(atom, binding_));
+  }
+
+  /// The atoms that tied effects to their actions are no part of the result.
+  void forgetReachedActions() {
+    const auto is_action = [this](const Atom& atom) {
+      return static_cast<std::size_t>(atom.predicate) >= model_.predicates.size();
+    };
+    auto& atoms = result_.atoms;
+    if (std::none_of(atoms.begin(), atoms.end(), is_action)) return;
+    for (const Atom& atom : atoms) {
+      if (is_action(atom)) result_.ids.erase(atom);
+    }
+    atoms.erase(std::remove_if(atoms.begin(), atoms.end(), is_action), atoms.end());
+    for (AtomId id = 0; id < atoms.size(); ++id)
+      result_.ids.at(atoms[id]) = id;
   }
 
   const Model& model_;
   Limits limits_;
   LimitMonitor monitor_;
+  std::size_t predicates_;
+  RelaxedReachability result_;
   AtomIndex index_;
-  std::vector<std::vector<ObjectId>> objects_of_;
   std::vector<std::vector<Occurrence>> occurrences_;
   std::vector<bool> deletable_;
-  RelaxedReachability result_;
+  std::vector<Plan> plans_;
+  std::size_t arguments_ = 0;  // objects that are held in all
 
   // The instantiation under construction.
-  AtomId newest_ = 0;
-  SchemaId schema_id_ = 0;
-  const Schema* schema_ = nullptr;
+  AtomId newest_ = kNoAtom;
+  Plan* plan_ = nullptr;
   std::size_t triggered_by_ = 0;
   std::vector<ObjectId> binding_;
   std::vector<std::size_t> trail_;
@@ -280,15 +398,21 @@ class Join {
 
 }  // namespace
 
-Atom groundAtom(const LiftedAtom& atom, const std::vector<ObjectId>& arguments) {
+Atom groundAtom(const LiftedAtom& atom, const std::vector<ObjectId>& binding) {
   Atom ground;
   ground.predicate = atom.predicate;
   ground.objects.reserve(atom.terms.size());
   for (const Term& term : atom.terms) {
-    ground.objects.push_back(term.is_parameter ? arguments[static_cast<std::size_t>(term.index)]
+    ground.objects.push_back(term.is_parameter ? binding[static_cast<std::size_t>(term.index)]
                                                : term.index);
   }
   return ground;
+}
+
+void bind(const Rule& rule, const std::vector<ObjectId>& arguments,
+          std::vector<ObjectId>& binding) {
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    binding[static_cast<std::size_t>(rule.variables[i])] = arguments[i];
 }
 
 RelaxedReachability relaxedReachability(const Model& model, const Limits& limits) {

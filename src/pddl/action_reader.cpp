@@ -40,43 +40,69 @@ ast::CostEffect readIncrease(TokenReader& reader) {
   return cost;
 }
 
+/// Conditions are copied to all that stands below them, so this bounds what an effect grows to.
+constexpr int kDeepestEffect = 10;
+
 /// Fills an action's effects and cost. A cost is no effect on the state, so the two are told apart
 /// while reading:
 ///
 ///     effect := () | (and effect …) | atom | (not atom) | (increase (total-cost) cost)
+///             | (forall (variable …) effect) | (when condition effect)
 class EffectReader {
  public:
   EffectReader(TokenReader& reader, ast::Action& action) : reader_(reader), action_(action) {}
 
   void read() {
     reader_.open();
-    readConjuncts();
+    readConjuncts(action_.effect, action_.conditional);
   }
 
  private:
   // Enters behind the `(`, leaves behind its `)`.
-  void readConjuncts() {
+  void readConjuncts(std::vector<ast::Literal>& literals,
+                     std::vector<ast::ConditionalEffect>& conditional) {
     if (reader_.atWord("and")) {
       reader_.word("'and'");
       while (!reader_.atClose()) {
         reader_.open("'(' or ')'");
-        readConjuncts();
+        readConjuncts(literals, conditional);
       }
     } else if (reader_.atWord("not")) {
-      readDelete();
+      literals.push_back(readDelete());
+    } else if (reader_.atWord("forall") || reader_.atWord("when")) {
+      conditional.push_back(readConditional());
     } else if (reader_.atWord("increase")) {
       readCostEffect();
     } else if (!reader_.atClose()) {
-      action_.effect.push_back({readEffectAtom("a predicate, 'and', 'not', 'increase' or ')'")});
+      literals.push_back({readEffectAtom("a predicate, 'and', 'not', 'increase' or ')'")});
     }
     reader_.close();
   }
 
-  void readDelete() {
+  ast::ConditionalEffect readConditional() {
+    const Token keyword = reader_.word("'forall' or 'when'");
+    if (++depth_ > kDeepestEffect) {
+      reader_.failUnsupported(keyword.position, "'forall' and 'when' nested deeper than " +
+                                                    std::to_string(kDeepestEffect));
+    }
+    ast::ConditionalEffect effect;
+    if (toLower(keyword.text) == "forall") {
+      effect.variables = readVariables(reader_);
+    } else {
+      effect.condition = readCondition(reader_, Terms::WithParameters);
+    }
+    reader_.open("an effect's '('");
+    readConjuncts(effect.literals, effect.nested);
+    --depth_;
+    return effect;
+  }
+
+  ast::Literal readDelete() {
     reader_.word("'not'");
     reader_.open("an atom's '('");
-    action_.effect.push_back({readEffectAtom("a predicate"), true});
+    ast::Literal literal{readEffectAtom("a predicate"), true};
     reader_.close();
+    return literal;
   }
 
   // What the reader expects here names no `=`: an effect can't make two objects equal.
@@ -86,6 +112,9 @@ class EffectReader {
 
   void readCostEffect() {
     const Token increase = reader_.word("'increase'");
+    if (depth_ > 0) {
+      reader_.failUnsupported(increase.position, "a cost inside of 'forall' or 'when'");
+    }
     // Two constants could be added up, but two functions need arithmetic on costs; domains that
     // do so are rare and would want it said.
     if (action_.cost) reader_.failUnsupported(increase.position, "a second cost of one action");
@@ -94,6 +123,7 @@ class EffectReader {
 
   TokenReader& reader_;
   ast::Action& action_;
+  int depth_ = 0;  ///< of `forall` and `when` around what is being read
 };
 
 /// What follows one of the three keywords. The place is set for errors deeper down.

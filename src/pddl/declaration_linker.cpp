@@ -18,7 +18,7 @@ constexpr const char* kTotalCost = "total-cost";
 }
 
 /// The types of a predicate's or function's parameters; their names mean nothing.
-Predicate signature(const LinkContext& context, const ast::Predicate& declared) {
+Predicate signature(LinkContext& context, const ast::Predicate& declared) {
   Predicate linked{{toLower(declared.name.spelling), declared.name.spelling}, {}};
   for (const ast::TypedName& parameter : declared.parameters) {
     linked.parameter_types.push_back(context.typeOf(parameter, context.domain.source.name));

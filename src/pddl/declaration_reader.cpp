@@ -11,14 +11,24 @@ namespace goal_alignment::pddl {
 
 namespace {
 
-/// A single type; `(either a b)` gets its own refusal.
-ast::Name readType(TokenReader& reader) {
-  if (reader.atOpen()) {
-    reader.open();
-    refuseReserved(reader);
-    reader.failExpecting("'either'");
+/// Bounds what Model::isSubtype() costs.
+constexpr std::size_t kLargestUnion = 100;
+
+/// A type, or `(either a b)`.
+ast::TypeName readType(TokenReader& reader) {
+  if (!reader.atOpen()) return {reader.name("a type"), {}};
+  reader.open();
+  const Token either = reader.word("either", "'either'");
+  ast::TypeName type{{std::string(either.text), either.position}, {}};
+  do
+    type.either.push_back(reader.name("a type"));
+  while (!reader.atClose());
+  if (type.either.size() > kLargestUnion) {
+    reader.failUnsupported(either.position,
+                           "'either' of more than " + std::to_string(kLargestUnion) + " types");
   }
-  return reader.name("a type");
+  reader.close();
+  return type;
 }
 
 /// `(name ?x - type …)`: of a predicate or a function.
@@ -39,7 +49,7 @@ void readFunctionType(TokenReader& reader) {
   if (!reader.atWord("-")) return;
   reader.word("'-'");
   // Other types than `number` make it an object fluent.
-  const ast::Name type = readType(reader);
+  const ast::TypeName type = readType(reader);
   if (toLower(type.spelling) != "number") {
     reader.failUnsupported(type.position,
                            "a function to " + inQuotes(type.spelling) + " (an object fluent)");
@@ -76,12 +86,15 @@ std::vector<ast::TypedName> readTypedList(TokenReader& reader, ListOf kind,
   while (!reader.atClose()) {
     const std::string expected = what + (typed < list.size() ? ", '-' or ')'" : " or ')'");
     if (typed == list.size() || !reader.atWord("-")) {
-      const bool names = kind == ListOf::Names;
-      list.push_back({names ? reader.name(expected) : reader.variable(expected), {}});
+      const bool variables = kind == ListOf::Variables;
+      list.push_back({variables ? reader.variable(expected) : reader.name(expected), {}});
       continue;
     }
     reader.word("'-'");
-    const auto type = std::make_shared<const ast::Name>(readType(reader));
+    const auto type = std::make_shared<const ast::TypeName>(readType(reader));
+    if (kind == ListOf::Types && !type->either.empty()) {
+      reader.failUnsupported(type->position, "'either' (a union of types) as a parent");
+    }
     while (typed < list.size())
       list[typed++].type = type;
   }

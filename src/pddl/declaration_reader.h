@@ -18,7 +18,7 @@ ast::Name readHeader(TokenReader& reader, const std::string& kind);
 std::vector<ast::Name> readRequirements(TokenReader& reader);
 
 /// `a b - type c …` up to the `)`, which it leaves; `what` is one element, for messages.
-enum class ListOf { Names, Variables };
+enum class ListOf { Types, Names, Variables };
 std::vector<ast::TypedName> readTypedList(TokenReader& reader, ListOf kind,
                                           const std::string& what);
 

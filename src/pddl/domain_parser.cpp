@@ -50,7 +50,7 @@ class DomainParser {
     if (keyword == ":requirements") {
       domain_.requirements = readRequirements(reader_);
     } else if (keyword == ":types") {
-      domain_.types = readTypedList(reader_, ListOf::Names, "a type");
+      domain_.types = readTypedList(reader_, ListOf::Types, "a type");
     } else if (keyword == ":constants") {
       domain_.constants = readTypedList(reader_, ListOf::Names, "an object");
     } else if (keyword == ":predicates") {

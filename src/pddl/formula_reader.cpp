@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
+#include "declaration_reader.h"
 #include "goal_alignment/common/ground_name.h"
 
 namespace goal_alignment::pddl {
@@ -15,15 +17,13 @@ struct Refused {
   std::string_view construct;
 };
 
-/// PDDL's formulas that need more than conjunctions of literals.
-constexpr std::array<Refused, 17> kRefused{{
-    {"or", "'or' (a disjunction)"},
-    {"imply", "'imply' (an implication)"},
-    {"forall", "'forall' (a universal quantifier)"},
-    {"exists", "'exists' (an existential quantifier)"},
-    {"when", "'when' (a conditional effect)"},
+/// The words of formulas and effects that we treat.
+constexpr std::array<std::string_view, 9> kTreated{"and",    "or",   "not",    "imply",   "forall",
+                                                   "exists", "when", "either", "increase"};
+
+/// PDDL's formulas and effects that need more than the truth of atoms.
+constexpr std::array<Refused, 11> kRefused{{
     {"preference", "'preference' (a soft goal)"},
-    {"either", "'either' (a union of types)"},
     {"<", "'<' (a numeric condition)"},
     {">", "'>' (a numeric condition)"},
     {"<=", "'<=' (a numeric condition)"},
@@ -59,27 +59,74 @@ ast::Literal readEquality(TokenReader& reader, Terms terms) {
   return literal;
 }
 
-/// What follows `(` or `(not (`.
-ast::Literal readPositive(TokenReader& reader, Terms terms, const std::string& what) {
-  if (reader.atWord("=")) return readEquality(reader, terms);
-  return {readAtom(reader, terms, what)};
+ast::Formula composed(ast::Formula::Kind kind, std::vector<ast::Formula> parts) {
+  ast::Formula formula;
+  formula.kind = kind;
+  formula.parts = std::move(parts);
+  return formula;
 }
 
-/// `not (atom)`. Negation of anything but an atom would need disjunctions.
-ast::Literal readNegated(TokenReader& reader, Terms terms) {
+void readConjuncts(TokenReader& reader, Terms terms, ast::Condition& into);
+
+/// One formula with its parentheses.
+ast::Formula readFormula(TokenReader& reader, Terms terms, const std::string& what = "'('") {
+  reader.open(what);
+  ast::Condition conjuncts;
+  readConjuncts(reader, terms, conjuncts);
+  if (conjuncts.size() == 1) return std::move(conjuncts.front());
+  return composed(ast::Formula::Kind::And, std::move(conjuncts));
+}
+
+/// `not formula`; over an atom it makes a literal.
+ast::Formula readNegated(TokenReader& reader, Terms terms) {
   reader.word("not", "'not'");
-  reader.open("an atom's '('");
-  if (reader.atWord("and") || reader.atWord("not")) {
-    reader.failUnsupported(reader.current().position,
-                           "'not' over '" + toLower(reader.current().text) + "'");
+  ast::Formula negated = readFormula(reader, terms, "a formula's '('");
+  if (negated.kind == ast::Formula::Kind::Literal && !negated.literal.negated) {
+    negated.literal.negated = true;
+    return negated;
   }
-  ast::Literal literal = readPositive(reader, terms, "a predicate");
-  literal.negated = true;
-  reader.close();
-  return literal;
+  std::vector<ast::Formula> part;
+  part.push_back(std::move(negated));
+  return composed(ast::Formula::Kind::Not, std::move(part));
 }
 
-/// Recursion is as deep as the text nests, which the reader bounds.
+ast::Formula readDisjunction(TokenReader& reader, Terms terms) {
+  reader.word("or", "'or'");
+  std::vector<ast::Formula> parts;
+  while (!reader.atClose())
+    parts.push_back(readFormula(reader, terms, "'(' or ')'"));
+  return composed(ast::Formula::Kind::Or, std::move(parts));
+}
+
+ast::Formula readImplication(TokenReader& reader, Terms terms) {
+  reader.word("imply", "'imply'");
+  std::vector<ast::Formula> parts;
+  parts.push_back(readFormula(reader, terms));
+  parts.push_back(readFormula(reader, terms));
+  return composed(ast::Formula::Kind::Imply, std::move(parts));
+}
+
+/// `forall (variable …) formula` or `exists …`. Below it variables may stand for objects.
+ast::Formula readQuantified(TokenReader& reader) {
+  using Kind = ast::Formula::Kind;
+  const bool universal = reader.atWord("forall");
+  reader.word("'forall' or 'exists'");
+  std::vector<ast::TypedName> variables = readVariables(reader);
+  std::vector<ast::Formula> part;
+  part.push_back(readFormula(reader, Terms::WithParameters));
+  ast::Formula formula = composed(universal ? Kind::ForAll : Kind::Exists, std::move(part));
+  formula.variables = std::move(variables);
+  return formula;
+}
+
+ast::Formula literalFormula(ast::Literal literal) {
+  ast::Formula formula;
+  formula.literal = std::move(literal);
+  return formula;
+}
+
+/// Enters behind the `(`, leaves behind its `)`. Recursion is as deep as the text nests, which the
+/// reader bounds.
 void readConjuncts(TokenReader& reader, Terms terms, ast::Condition& into) {
   if (reader.atWord("and")) {
     reader.word("'and'");
@@ -89,8 +136,16 @@ void readConjuncts(TokenReader& reader, Terms terms, ast::Condition& into) {
     }
   } else if (reader.atWord("not")) {
     into.push_back(readNegated(reader, terms));
+  } else if (reader.atWord("or")) {
+    into.push_back(readDisjunction(reader, terms));
+  } else if (reader.atWord("imply")) {
+    into.push_back(readImplication(reader, terms));
+  } else if (reader.atWord("forall") || reader.atWord("exists")) {
+    into.push_back(readQuantified(reader));
+  } else if (reader.atWord("=")) {
+    into.push_back(literalFormula(readEquality(reader, terms)));
   } else if (!reader.atClose()) {
-    into.push_back(readPositive(reader, terms, "a predicate, 'and', 'not' or ')'"));
+    into.push_back(literalFormula({readAtom(reader, terms, "a predicate, 'and', 'not' or ')'")}));
   }
   reader.close();
 }
@@ -98,7 +153,7 @@ void readConjuncts(TokenReader& reader, Terms terms, ast::Condition& into) {
 }  // namespace
 
 bool isReserved(std::string_view lower_case) {
-  return lower_case == "and" || lower_case == "not" || lower_case == "increase" ||
+  return std::find(kTreated.begin(), kTreated.end(), lower_case) != kTreated.end() ||
          findRefused(lower_case) != nullptr;
 }
 
@@ -109,6 +164,14 @@ void refuseReserved(const TokenReader& reader) {
     reader.failUnsupported(reader.current().position, std::string(refused->construct));
   }
   if (isReserved(lower_case)) reader.failExpecting("a predicate");
+}
+
+std::vector<ast::TypedName> readVariables(TokenReader& reader) {
+  reader.open();
+  std::vector<ast::TypedName> variables =
+      readTypedList(reader, ListOf::Variables, "a variable such as '?x'");
+  reader.close();
+  return variables;
 }
 
 std::vector<ast::Name> readTerms(TokenReader& reader, Terms terms) {

@@ -29,8 +29,8 @@ struct LinkContext {
   /// At every object and fact; throws LimitReached.
   void pollLimits();
 
-  /// The declared type, or `object` where none was written.
-  TypeId typeOf(const ast::TypedName& typed, const std::string& source_name) const;
+  /// The declared type, or `object` where none was written. A union enters the model's types.
+  TypeId typeOf(const ast::TypedName& typed, const std::string& source_name);
 };
 
 /// Predicates or functions with their names: the two kinds of things that take arguments.
@@ -42,6 +42,8 @@ Vocabulary predicatesOf(const LinkContext& context);
 Vocabulary functionsOf(const LinkContext& context);
 
 void linkTypes(LinkContext& context);
+/// The type of `(either a b)`: a known one where only one remains after subtypes are left out.
+TypeId unionOf(LinkContext& context, const ast::TypeName& written, const std::string& source_name);
 void linkObjects(LinkContext& context);
 void linkPredicatesAndFunctions(LinkContext& context);
 void linkSchemas(LinkContext& context);

@@ -33,8 +33,10 @@ void LinkContext::pollLimits() {
   if (limit != LimitReason::None) throw LimitReached(limit, "reading " + problem.source.name);
 }
 
-TypeId LinkContext::typeOf(const ast::TypedName& typed, const std::string& source_name) const {
-  return typed.type ? types.at(*typed.type, source_name) : kObjectType;
+TypeId LinkContext::typeOf(const ast::TypedName& typed, const std::string& source_name) {
+  if (!typed.type) return kObjectType;
+  if (typed.type->either.empty()) return types.at(*typed.type, source_name);
+  return unionOf(*this, *typed.type, source_name);
 }
 
 Vocabulary predicatesOf(const LinkContext& context) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/pddl/model.h"
 
+#include <algorithm>
+
 #include "link_context.h"
 #include "name_table.h"
 
@@ -40,9 +42,25 @@ std::optional<SchemaId> Model::findSchema(const std::string& lower_name) const {
 }
 
 bool Model::isSubtype(TypeId type, TypeId of) const {
+  const auto below = [&](TypeId member) { return isSubtype(member, of); };
+  const auto above = [&](TypeId member) { return isSubtype(type, member); };
+  const std::vector<TypeId>& members = types[type].members;
+  if (!members.empty()) return std::all_of(members.begin(), members.end(), below);
+  const std::vector<TypeId>& of_members = types[of].members;
+  if (!of_members.empty()) return std::any_of(of_members.begin(), of_members.end(), above);
   while (type != of && type != kObjectType)
     type = types[type].parent;
   return type == of;
+}
+
+bool Model::overlap(TypeId a, TypeId b) const {
+  const std::vector<TypeId>& members = types[a].members;
+  if (!members.empty()) {
+    return std::any_of(members.begin(), members.end(),
+                       [&](TypeId member) { return overlap(member, b); });
+  }
+  if (!types[b].members.empty()) return overlap(b, a);
+  return isSubtype(a, b) || isSubtype(b, a);
 }
 
 std::optional<Atom> Model::resolve(const GroundName& ground, std::string* why_not) const {
@@ -116,6 +134,8 @@ void Model::setGoal(const std::vector<Literal>& literals) {
     linked.push_back({*atom, literal.negated});
   }
   goal = std::move(linked);
+  goal_condition = {};
+  goal_variables.clear();
 }
 
 }  // namespace goal_alignment::pddl

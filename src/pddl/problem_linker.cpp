@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unordered_set>
+#include <utility>
 
+#include "formula_linker.h"
 #include "goal_alignment/pddl/near_name.h"
 #include "link_context.h"
 
@@ -31,6 +33,34 @@ bool holds(const LinkContext& context, const ast::Literal& equality) {
   return same != equality.negated;
 }
 
+void linkGoalLiteral(LinkContext& context, const ast::Literal& literal) {
+  const std::string& source_name = context.problem.source.name;
+  // An equality between objects is decided here and now; the goal keeps what a plan can change.
+  if (!literal.equality) {
+    context.model.goal.push_back(
+        {linkGroundAtom(context, literal.atom, predicatesOf(context), source_name),
+         literal.negated});
+  } else if (!holds(context, literal)) {
+    throw SemanticError(source_name, literal.atom.predicate.position,
+                        "this equality of the goal can never hold");
+  }
+}
+
+/// Literals that stand in it as conjuncts, say below two negations, join the others.
+void addGoalCondition(Model& model, Formula part) {
+  if (part.kind == Formula::Kind::And) {
+    for (Formula& conjunct : part.parts)
+      addGoalCondition(model, std::move(conjunct));
+  } else if (part.kind == Formula::Kind::Literal) {
+    Atom atom{part.literal.atom.predicate, {}};
+    for (const Term& term : part.literal.atom.terms)
+      atom.objects.push_back(term.index);
+    model.goal.push_back({std::move(atom), part.literal.negated});
+  } else {
+    model.goal_condition.parts.push_back(std::move(part));
+  }
+}
+
 }  // namespace
 
 void linkInit(LinkContext& context) {
@@ -57,17 +87,15 @@ void linkInit(LinkContext& context) {
 
 void linkGoal(LinkContext& context) {
   const std::string& source_name = context.problem.source.name;
-  for (const ast::Literal& literal : context.problem.goal) {
-    // An equality between objects is decided here and now; the goal keeps what a plan can change.
-    if (!literal.equality) {
-      context.model.goal.push_back(
-          {linkGroundAtom(context, literal.atom, predicatesOf(context), source_name),
-           literal.negated});
-    } else if (!holds(context, literal)) {
-      throw SemanticError(source_name, literal.atom.predicate.position,
-                          "this equality of the goal can never hold");
+  FormulaLinker linker(context, source_name, " in the goal");
+  for (const ast::Formula& part : context.problem.goal) {
+    if (part.kind == ast::Formula::Kind::Literal) {
+      linkGoalLiteral(context, part.literal);
+    } else {
+      addGoalCondition(context.model, linker.formula(part));
     }
   }
+  context.model.goal_variables = linker.variables();
 }
 
 }  // namespace goal_alignment::pddl

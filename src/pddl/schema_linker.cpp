@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+#include <cstddef>
 #include <string>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "formula_linker.h"
 #include "goal_alignment/pddl/near_name.h"
 #include "link_context.h"
 
@@ -11,135 +12,130 @@ namespace goal_alignment::pddl {
 
 namespace {
 
+/// The variables' types where a condition holds, as far as that is known.
+using NarrowedTypes = std::vector<TypeId>;
+
 /// One action schema, its names replaced by ids. The order matters: effects are checked against
-/// what the precondition says about the parameters' types.
+/// what the conditions say about the variables' types.
 class SchemaLinker {
  public:
   SchemaLinker(LinkContext& context, const ast::Action& action)
-      : context_(context), action_(action), source_name_(context.domain.source.name) {}
+      : context_(context),
+        action_(action),
+        linker_(context, context.domain.source.name,
+                " in action " + inQuotes(action.name.spelling)) {}
 
   Schema link() {
     schema_.name = {toLower(action_.name.spelling), action_.name.spelling};
-    for (const ast::TypedName& parameter : action_.parameters)
-      addParameter(parameter);
-    for (const ast::Literal& literal : action_.precondition)
-      addPrecondition(literal);
+    linker_.enter(action_.parameters);
+    schema_.parameters = linker_.variables();
+    Formula precondition = linker_.conjunction(action_.precondition);
+    NarrowedTypes narrowed;
+    narrow(precondition, narrowed);
+    addPrecondition(std::move(precondition));
     for (const ast::Literal& literal : action_.effect)
-      addEffect(literal);
+      addEffect(literal, narrowed, schema_.add, schema_.del);
+    for (const ast::ConditionalEffect& effect : action_.conditional)
+      addConditional(effect, {}, narrowed);
     if (action_.cost) addCost(*action_.cost);
+    const auto behind = static_cast<std::ptrdiff_t>(schema_.parameters.size());
+    schema_.quantified.assign(linker_.variables().begin() + behind, linker_.variables().end());
     return std::move(schema_);
   }
 
  private:
-  void addParameter(const ast::TypedName& declared) {
-    const std::string name = toLower(declared.name.spelling).substr(1);
-    if (!parameters_.emplace(name, static_cast<int>(schema_.parameters.size())).second) {
-      fail(declared.name,
-           "parameter " + inQuotes(declared.name.spelling) + " stands twice" + here());
+  /// Literals and equalities, be they nested in conjunctions, apart from what needs more.
+  void addPrecondition(Formula part) {
+    if (part.kind == Formula::Kind::Literal) {
+      schema_.precondition.push_back(std::move(part.literal));
+    } else if (part.kind == Formula::Kind::Equality) {
+      schema_.equalities.push_back(part.equality);
+    } else if (part.kind == Formula::Kind::And) {
+      for (Formula& conjunct : part.parts)
+        addPrecondition(std::move(conjunct));
+    } else {
+      schema_.condition.parts.push_back(std::move(part));
     }
-    const TypeId type = context_.typeOf(declared, source_name_);
-    schema_.parameters.push_back({name, type});
-    narrowed_.push_back(type);
   }
 
-  void addPrecondition(const ast::Literal& literal) {
-    // `=` is built in and needs no predicate.
-    if (literal.equality) {
-      schema_.equalities.push_back(
-          {term(literal.atom.terms[0]), term(literal.atom.terms[1]), literal.negated});
-      return;
-    }
-    const LiftedAtom atom = lifted(literal.atom, predicatesOf(context_));
-    schema_.precondition.push_back({atom, literal.negated});
-    if (!literal.negated) narrow(atom);
-  }
-
-  void addEffect(const ast::Literal& literal) {
-    const LiftedAtom atom = lifted(literal.atom, predicatesOf(context_));
+  void addEffect(const ast::Literal& literal, const NarrowedTypes& narrowed,
+                 std::vector<LiftedAtom>& add, std::vector<LiftedAtom>& del) {
+    const LiftedAtom atom = linker_.atom(literal.atom, predicatesOf(context_));
     context_.model.predicates[atom.predicate].fluent = true;
-    if (!literal.negated) refuseIllTypedAdd(literal.atom, atom);
-    (literal.negated ? schema_.del : schema_.add).push_back(atom);
+    if (!literal.negated) refuseIllTypedAdd(literal.atom, atom, narrowed);
+    (literal.negated ? del : add).push_back(atom);
+  }
+
+  /// One effect for each `forall` or `when` that has literals of its own. `outer`: the variables
+  /// and conditions around it; the reader bounds how often they are copied.
+  void addConditional(const ast::ConditionalEffect& written, ConditionalEffect outer,
+                      NarrowedTypes narrowed) {
+    const std::vector<int> variables = linker_.enter(written.variables);
+    outer.variables.insert(outer.variables.end(), variables.begin(), variables.end());
+    Formula condition = linker_.conjunction(written.condition);
+    narrow(condition, narrowed);
+    for (Formula& part : condition.parts)
+      outer.condition.parts.push_back(std::move(part));
+    if (!written.literals.empty()) {
+      ConditionalEffect effect = outer;
+      for (const ast::Literal& literal : written.literals)
+        addEffect(literal, narrowed, effect.add, effect.del);
+      schema_.conditional.push_back(std::move(effect));
+    }
+    for (const ast::ConditionalEffect& nested : written.nested)
+      addConditional(nested, outer, narrowed);
+    linker_.leave();
   }
 
   void addCost(const ast::CostEffect& cost) {
     schema_.constant_cost = cost.constant;
-    if (cost.function) schema_.function_cost = lifted(*cost.function, functionsOf(context_));
+    if (cost.function) schema_.function_cost = linker_.atom(*cost.function, functionsOf(context_));
   }
 
-  LiftedAtom lifted(const ast::Atom& atom, const Vocabulary& vocabulary) const {
-    LiftedAtom linked{signatureOf(atom, vocabulary, source_name_), {}};
-    const Predicate& signature = vocabulary.signatures[linked.predicate];
-    for (std::size_t i = 0; i < atom.terms.size(); ++i) {
-      linked.terms.push_back(term(atom.terms[i]));
-      checkType(atom.terms[i], linked.terms.back(), signature, signature.parameter_types[i]);
+  TypeId typeOf(int variable, const NarrowedTypes& narrowed) const {
+    const auto index = static_cast<std::size_t>(variable);
+    const bool known = index < narrowed.size() && narrowed[index] != kObjectType;
+    return known ? narrowed[index] : linker_.variables()[index].type;
+  }
+
+  /// Where a formula holds, its variables have the types of the atoms that must be true.
+  void narrow(const Formula& formula, NarrowedTypes& narrowed) const {
+    if (formula.kind == Formula::Kind::And || formula.kind == Formula::Kind::Exists) {
+      for (const Formula& part : formula.parts)
+        narrow(part, narrowed);
     }
-    return linked;
-  }
-
-  // A parameter of the action, or an object by name: the domain's constants, and since problem
-  // files are linked with it also its objects.
-  Term term(const ast::Name& name) const {
-    if (name.spelling.front() != '?') return {false, context_.objects.at(name, source_name_)};
-    const auto found = parameters_.find(toLower(name.spelling).substr(1));
-    if (found != parameters_.end()) return {true, found->second};
-    std::vector<std::string> known;
-    for (const ast::TypedName& parameter : action_.parameters) {
-      known.push_back(parameter.name.spelling);
-    }
-    fail(name, "unknown parameter " + inQuotes(name.spelling) + here() +
-                   suggestion(name.spelling, known));
-  }
-
-  /// A parameter of a wider type than the predicate's is usual: only its objects of the predicate's
-  /// type can make the atom true. Types of which neither is the other's can't.
-  void checkType(const ast::Name& name, const Term& term, const Predicate& signature,
-                 TypeId wanted) const {
-    const Model& model = context_.model;
-    const TypeId is =
-        term.is_parameter ? schema_.parameters[term.index].type : model.objects[term.index].type;
-    if (model.isSubtype(is, wanted) || (term.is_parameter && model.isSubtype(wanted, is))) return;
-    fail(name, wrongType(model, name.spelling, is, signature.name.spelling, wanted) + here());
-  }
-
-  /// Where the action is applicable, its parameters have the types of its positive preconditions.
-  void narrow(const LiftedAtom& atom) {
+    if (formula.kind != Formula::Kind::Literal || formula.literal.negated) return;
+    const LiftedAtom& atom = formula.literal.atom;
     const Predicate& predicate = context_.model.predicates[atom.predicate];
+    narrowed.resize(linker_.variables().size(), kObjectType);
     for (std::size_t i = 0; i < atom.terms.size(); ++i) {
       if (!atom.terms[i].is_parameter) continue;
-      TypeId& type = narrowed_[atom.terms[i].index];
-      if (context_.model.isSubtype(predicate.parameter_types[i], type)) {
-        type = predicate.parameter_types[i];
-      }
+      const int variable = atom.terms[i].index;
+      const TypeId type = predicate.parameter_types[i];
+      if (context_.model.isSubtype(type, typeOf(variable, narrowed))) narrowed[variable] = type;
     }
   }
 
   /// Keeps every reachable state well typed, so that each of its atoms has a name that resolves.
-  void refuseIllTypedAdd(const ast::Atom& written, const LiftedAtom& atom) const {
+  void refuseIllTypedAdd(const ast::Atom& written, const LiftedAtom& atom,
+                         const NarrowedTypes& narrowed) const {
     const Model& model = context_.model;
     const Predicate& predicate = model.predicates[atom.predicate];
     for (std::size_t i = 0; i < atom.terms.size(); ++i) {
       if (!atom.terms[i].is_parameter) continue;
-      const TypeId is = narrowed_[atom.terms[i].index];
+      const TypeId is = typeOf(atom.terms[i].index, narrowed);
       const TypeId wanted = predicate.parameter_types[i];
       if (model.isSubtype(is, wanted)) continue;
-      fail(written.terms[i],
-           wrongType(model, written.terms[i].spelling, is, predicate.name.spelling, wanted) +
-               here() + ", and no precondition makes it one");
+      linker_.fail(written.terms[i], wrongType(model, written.terms[i].spelling, is,
+                                               predicate.name.spelling, wanted) +
+                                         linker_.here() + ", and no precondition makes it one");
     }
-  }
-
-  std::string here() const { return " in action " + inQuotes(action_.name.spelling); }
-
-  [[noreturn]] void fail(const ast::Name& at, const std::string& message) const {
-    throw SemanticError(source_name_, at.position, message);
   }
 
   LinkContext& context_;
   const ast::Action& action_;
-  const std::string& source_name_;
+  FormulaLinker linker_;
   Schema schema_;
-  std::unordered_map<std::string, int> parameters_;
-  std::vector<TypeId> narrowed_;  ///< each parameter's type where the action is applicable
 };
 
 }  // namespace

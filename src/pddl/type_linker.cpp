@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "goal_alignment/pddl/near_name.h"
@@ -31,7 +33,7 @@ class TypeLinker {
     const auto id = static_cast<TypeId>(types_.size());
     if (!context_.types.add(name.spelling, id)) return *context_.types.find(name.spelling);
     types_.push_back(
-        {{toLower(name.spelling), name.spelling}, id == kObjectType ? -1 : kObjectType});
+        {{toLower(name.spelling), name.spelling}, id == kObjectType ? -1 : kObjectType, {}});
     positions_.push_back(name.position);
     return id;
   }
@@ -92,6 +94,30 @@ class TypeLinker {
 };
 
 }  // namespace
+
+TypeId unionOf(LinkContext& context, const ast::TypeName& written, const std::string& source_name) {
+  Model& model = context.model;
+  std::vector<TypeId> members;
+  for (const ast::Name& name : written.either) {
+    const TypeId type = context.types.at(name, source_name);
+    const auto covers = [&](TypeId member) { return model.isSubtype(type, member); };
+    if (std::any_of(members.begin(), members.end(), covers)) continue;
+    const auto covered = [&](TypeId member) { return model.isSubtype(member, type); };
+    members.erase(std::remove_if(members.begin(), members.end(), covered), members.end());
+    members.push_back(type);
+  }
+  if (members.size() == 1) return members.front();
+  std::sort(members.begin(), members.end());
+  std::string name = "(either";
+  for (const TypeId member : members)
+    name += " " + model.types[member].name.name;
+  name += ")";
+  // No declared type's name has parentheses, so that unions may stand among them.
+  const auto id = static_cast<TypeId>(model.types.size());
+  if (!context.types.add(name, id)) return *context.types.find(name);
+  model.types.push_back({{name, name}, kObjectType, std::move(members)});
+  return id;
+}
 
 void linkTypes(LinkContext& context) {
   TypeLinker(context).link();

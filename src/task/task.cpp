@@ -2,6 +2,7 @@
 #include "goal_alignment/task/task.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "goal_alignment/task/state.h"
 
@@ -26,6 +27,14 @@ FactSet makeFactSet(std::vector<FactId> facts) {
   std::sort(facts.begin(), facts.end());
   facts.erase(std::unique(facts.begin(), facts.end()), facts.end());
   return facts;
+}
+
+Goal withFacts(Goal goal, const FactSet& facts) {
+  for (FactSet& alternative : goal.alternatives) {
+    alternative.insert(alternative.end(), facts.begin(), facts.end());
+    alternative = makeFactSet(std::move(alternative));
+  }
+  return goal;
 }
 
 State initialState(const Task& task) {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "evaluation.h"
 #include "goal_alignment/pddl/near_name.h"
 
 namespace goal_alignment::validation {
@@ -12,42 +13,34 @@ namespace {
 using pddl::ObjectId;
 using Kind = Violation::Kind;
 
-ObjectId valueOf(const pddl::Term& term, const std::vector<ObjectId>& arguments) {
-  return term.is_parameter ? arguments[term.index] : term.index;
-}
-
-/// The ground atom that the schema's atom becomes under these arguments.
-pddl::Atom instantiate(const pddl::LiftedAtom& lifted, const std::vector<ObjectId>& arguments) {
-  pddl::Atom atom{lifted.predicate, {}};
-  atom.objects.reserve(lifted.terms.size());
-  for (const pddl::Term& term : lifted.terms)
-    atom.objects.push_back(valueOf(term, arguments));
-  return atom;
-}
-
 /// One step of a plan, against one model.
 class Step {
  public:
-  Step(const pddl::Model& model, const GroundName& action, std::size_t index)
-      : model_(model), action_(action), index_(index) {}
+  Step(const pddl::Model& model, const GroundName& action, std::size_t index, LimitMonitor& monitor)
+      : model_(model), action_(action), index_(index), monitor_(monitor) {}
 
   /// Finds the schema and the arguments' ids; must succeed before anything else is asked.
   std::optional<Violation> bind();
-  std::optional<Violation> checkPrecondition(const AtomSet& state) const;
-  AtomSet apply(AtomSet state) const;
+  std::optional<Violation> checkPrecondition(const AtomSet& state);
+  /// What the step adds and deletes in this state; an atom may be among both.
+  AtomSet added(const AtomSet& state) { return touched(state, true); }
+  AtomSet deleted(const AtomSet& state) { return touched(state, false); }
   std::int64_t cost() const;
 
  private:
   Violation violation(Kind kind, const std::string& reason) const;
   Violation falsePrecondition(Literal literal) const;
+  AtomSet touched(const AtomSet& state, bool add);
   std::optional<Violation> bindArgument(const std::string& name);
   GroundName functionTerm(const pddl::Atom& term) const;
 
   const pddl::Model& model_;
   const GroundName& action_;
   std::size_t index_;
+  LimitMonitor& monitor_;
   const pddl::Schema* schema_ = nullptr;
-  std::vector<ObjectId> arguments_;
+  std::vector<pddl::Parameter> variables_;  // the parameters, then what formulas quantify
+  Binding binding_;
 };
 
 Violation Step::violation(Kind kind, const std::string& reason) const {
@@ -90,6 +83,9 @@ std::optional<Violation> Step::bind() {
   for (const std::string& name : action_.arguments) {
     if (std::optional<Violation> found = bindArgument(name)) return found;
   }
+  variables_ = schema_->parameters;
+  variables_.insert(variables_.end(), schema_->quantified.begin(), schema_->quantified.end());
+  binding_.resize(variables_.size(), kUnbound);
   return std::nullopt;
 }
 
@@ -102,7 +98,7 @@ std::optional<Violation> Step::bindArgument(const std::string& name) {
     return violation(Kind::UnknownObject,
                      "unknown object " + inQuotes(name) + pddl::suggestion(name, known));
   }
-  const pddl::Parameter& parameter = schema_->parameters[arguments_.size()];
+  const pddl::Parameter& parameter = schema_->parameters[binding_.size()];
   const pddl::Object& argument = model_.objects[*object];
   if (!model_.isSubtype(argument.type, parameter.type)) {
     return violation(Kind::WrongType, inQuotes(argument.name.spelling) + " is of type " +
@@ -110,41 +106,51 @@ std::optional<Violation> Step::bindArgument(const std::string& name) {
                                           ", but parameter '?" + parameter.name + "' takes " +
                                           inQuotes(model_.types[parameter.type].name.spelling));
   }
-  arguments_.push_back(*object);
+  binding_.push_back(*object);
   return std::nullopt;
 }
 
-std::optional<Violation> Step::checkPrecondition(const AtomSet& state) const {
+std::optional<Violation> Step::checkPrecondition(const AtomSet& state) {
+  Evaluation evaluation(model_, state, variables_, binding_, monitor_);
   for (const pddl::Equality& equality : schema_->equalities) {
-    const ObjectId left = valueOf(equality.left, arguments_);
-    const ObjectId right = valueOf(equality.right, arguments_);
-    if ((left == right) != equality.negated) continue;
-    const GroundName atom{"=", {model_.objects[left].name.name, model_.objects[right].name.name}};
-    return falsePrecondition({atom, equality.negated});
+    if (evaluation.holds(equality)) continue;
+    const pddl::Atom pair = instantiate({0, {equality.left, equality.right}}, binding_);
+    const auto name = [&](std::size_t i) { return model_.objects[pair.objects[i]].name.name; };
+    return falsePrecondition({{"=", {name(0), name(1)}}, equality.negated});
   }
   for (const pddl::LiftedLiteral& literal : schema_->precondition) {
-    const pddl::Atom atom = instantiate(literal.atom, arguments_);
-    // Closed world: what the state does not hold is false.
-    if ((state.count(atom) > 0) != literal.negated) continue;
-    return falsePrecondition({model_.name(atom), literal.negated});
+    if (evaluation.holds(literal)) continue;
+    return falsePrecondition({model_.name(instantiate(literal.atom, binding_)), literal.negated});
+  }
+  for (const pddl::Formula& part : schema_->condition.parts) {
+    if (evaluation.holds(part)) continue;
+    return violation(Kind::Precondition,
+                     "the precondition " + model_.text(part, variables_, binding_) + " is false");
   }
   return std::nullopt;
 }
 
-AtomSet Step::apply(AtomSet state) const {
-  // Deletes first: an atom that is both deleted and added stays true.
-  for (const pddl::LiftedAtom& atom : schema_->del)
-    state.erase(instantiate(atom, arguments_));
-  for (const pddl::LiftedAtom& atom : schema_->add)
-    state.insert(instantiate(atom, arguments_));
-  return state;
+AtomSet Step::touched(const AtomSet& state, bool add) {
+  AtomSet atoms;
+  const auto touch = [&](const auto& effect) {
+    for (const pddl::LiftedAtom& atom : add ? effect.add : effect.del)
+      atoms.insert(instantiate(atom, binding_));
+    return false;  // on to the next binding
+  };
+  touch(*schema_);
+  Evaluation evaluation(model_, state, variables_, binding_, monitor_);
+  for (const pddl::ConditionalEffect& effect : schema_->conditional) {
+    evaluation.anyBinding(effect.variables,
+                          [&] { return evaluation.holds(effect.condition) && touch(effect); });
+  }
+  return atoms;
 }
 
 std::int64_t Step::cost() const {
   // As the IPC counts: without a metric it is the plan's length.
   if (!model_.has_costs) return 1;
   if (!schema_->function_cost) return schema_->constant_cost;
-  const pddl::Atom term = instantiate(*schema_->function_cost, arguments_);
+  const pddl::Atom term = instantiate(*schema_->function_cost, binding_);
   const auto value = model_.function_values.find(term);
   if (value != model_.function_values.end()) return value->second;
   // Not a violation of the plan: no plan that uses this action has a cost.
@@ -169,17 +175,47 @@ bool holds(const pddl::Model& model, const AtomSet& state, const Literal& litera
 
 }  // namespace
 
-Execution execute(const pddl::Model& model, const std::vector<GroundName>& plan) {
+void Execution::forEachState(const std::function<void(std::size_t, const AtomSet&)>& visit) const {
+  // Back to the start first: only the end is there as a whole.
+  AtomSet state = final_;
+  for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) {
+    for (const pddl::Atom& atom : change->added)
+      state.erase(atom);
+    state.insert(change->removed.begin(), change->removed.end());
+  }
+  visit(0, state);
+  for (std::size_t i = 0; i < changes_.size(); ++i) {
+    for (const pddl::Atom& atom : changes_[i].removed)
+      state.erase(atom);
+    state.insert(changes_[i].added.begin(), changes_[i].added.end());
+    visit(i + 1, state);
+  }
+}
+
+Execution execute(const pddl::Model& model, const std::vector<GroundName>& plan,
+                  const Limits& limits) {
+  LimitMonitor monitor(limits);
   Execution execution;
-  execution.states.emplace_back(model.init.begin(), model.init.end());
+  AtomSet& state = execution.final_;
+  state.insert(model.init.begin(), model.init.end());
   execution.costs.push_back(0);
   for (std::size_t i = 0; i < plan.size(); ++i) {
-    Step step(model, plan[i], i);
+    Step step(model, plan[i], i, monitor);
     execution.violation = step.bind();
-    if (!execution.violation) execution.violation = step.checkPrecondition(execution.finalState());
+    if (!execution.violation) execution.violation = step.checkPrecondition(state);
     if (execution.violation) break;
     execution.costs.push_back(execution.cost() + step.cost());
-    execution.states.push_back(step.apply(execution.finalState()));
+    // Both are decided before anything changes. An atom that is deleted and added stays true.
+    const AtomSet added = step.added(state);
+    const AtomSet deleted = step.deleted(state);
+    Execution::Change change;
+    for (const pddl::Atom& atom : deleted) {
+      if (added.count(atom) == 0 && state.erase(atom) > 0) change.removed.push_back(atom);
+    }
+    for (const pddl::Atom& atom : added) {
+      if (state.insert(atom).second) change.added.push_back(atom);
+    }
+    execution.changes_.push_back(std::move(change));
   }
   return execution;
 }
@@ -193,18 +229,27 @@ std::vector<Literal> unsatisfied(const pddl::Model& model, const AtomSet& state,
   return missing;
 }
 
+bool satisfiesCondition(const pddl::Model& model, const AtomSet& state, const Limits& limits) {
+  LimitMonitor monitor(limits);
+  Binding binding(model.goal_variables.size(), kUnbound);
+  return Evaluation(model, state, model.goal_variables, binding, monitor)
+      .holds(model.goal_condition);
+}
+
 std::optional<std::string> fault(const pddl::Model& model, const std::vector<GroundName>& plan,
-                                 const std::vector<Literal>& goal) {
-  const Execution execution = execute(model, plan);
+                                 const std::vector<Literal>& goal, const Limits& limits) {
+  const Execution execution = execute(model, plan, limits);
   if (execution.violation) return execution.violation->message;
-  const std::vector<Literal> missing = unsatisfied(model, execution.finalState(), goal);
-  if (missing.empty()) return std::nullopt;
-  std::string message = "the plan runs, but ends without the goal";
-  for (const Literal& literal : missing) {
+  std::string missing;
+  for (const Literal& literal : unsatisfied(model, execution.finalState(), goal)) {
     const std::string atom = model.spelling(literal.atom);
-    message += (literal.negated ? " (not " + atom + ")" : " " + atom);
+    missing += (literal.negated ? " (not " + atom + ")" : " " + atom);
   }
-  return message;
+  if (!satisfiesCondition(model, execution.finalState(), limits)) {
+    missing += " " + model.goalConditionText();
+  }
+  if (missing.empty()) return std::nullopt;
+  return "the plan runs, but ends without the goal" + missing;
 }
 
 }  // namespace goal_alignment::validation

@@ -27,6 +27,74 @@ GroundName groundAtom(const Model& model, const pddl::LiftedAtom& lifted, const 
   return name;
 }
 
+/// Spells out what a formula means under a binding of its variables.
+class Spelling {
+ public:
+  Spelling(const Model& model, const std::vector<pddl::Parameter>& parameters,
+           const std::vector<pddl::Parameter>& quantified)
+      : model_(model), variables_(parameters) {
+    variables_.insert(variables_.end(), quantified.begin(), quantified.end());
+  }
+
+  GroundFormula of(const pddl::Formula& formula, Binding binding) const {
+    using Kind = pddl::Formula::Kind;
+    GroundFormula ground;
+    binding.resize(variables_.size());
+    switch (formula.kind) {
+      case Kind::Literal:
+        ground.kind = GroundFormula::Kind::Literal;
+        ground.literal = {groundAtom(model_, formula.literal.atom, binding),
+                          formula.literal.negated};
+        break;
+      case Kind::Equality: {
+        const bool same =
+            valueOf(formula.equality.left, binding) == valueOf(formula.equality.right, binding);
+        const bool holds = same != formula.equality.negated;
+        ground.kind = holds ? GroundFormula::Kind::All : GroundFormula::Kind::Any;
+        break;
+      }
+      case Kind::And:
+      case Kind::Or:
+        ground.kind =
+            formula.kind == Kind::And ? GroundFormula::Kind::All : GroundFormula::Kind::Any;
+        for (const pddl::Formula& part : formula.parts)
+          ground.parts.push_back(of(part, binding));
+        break;
+      case Kind::ForAll:
+      case Kind::Exists:
+        ground.kind =
+            formula.kind == Kind::ForAll ? GroundFormula::Kind::All : GroundFormula::Kind::Any;
+        for (const Binding& bound : bindings(formula.variables, binding))
+          ground.parts.push_back(of(formula.parts.at(0), bound));
+        break;
+    }
+    return ground;
+  }
+
+  /// Every way to bind the variables to objects of their types, the others staying as they are.
+  std::vector<Binding> bindings(const std::vector<int>& variables, Binding binding) const {
+    binding.resize(variables_.size());
+    std::vector<Binding> all = {binding};
+    for (const int variable : variables) {
+      const auto v = static_cast<std::size_t>(variable);
+      std::vector<Binding> longer;
+      for (Binding each : all) {
+        for (std::size_t object = 0; object < model_.objects.size(); ++object) {
+          if (!model_.isSubtype(model_.objects[object].type, variables_.at(v).type)) continue;
+          each.at(v) = static_cast<ObjectId>(object);
+          longer.push_back(each);
+        }
+      }
+      all = std::move(longer);
+    }
+    return all;
+  }
+
+ private:
+  const Model& model_;
+  std::vector<pddl::Parameter> variables_;
+};
+
 bool equalitiesHold(const pddl::Schema& schema, const Binding& binding) {
   return std::all_of(schema.equalities.begin(), schema.equalities.end(), [&](const auto& equality) {
     return (valueOf(equality.left, binding) == valueOf(equality.right, binding)) !=
@@ -57,6 +125,18 @@ GroundAction instantiate(const Model& model, const pddl::Schema& schema, const B
     action.add.insert(groundAtom(model, atom, binding));
   for (const auto& atom : schema.del)
     action.del.insert(groundAtom(model, atom, binding));
+  const Spelling spelling(model, schema.parameters, schema.quantified);
+  action.condition = spelling.of(schema.condition, binding);
+  for (const pddl::ConditionalEffect& effect : schema.conditional) {
+    for (const Binding& bound : spelling.bindings(effect.variables, binding)) {
+      GroundEffect ground{spelling.of(effect.condition, bound), {}, {}};
+      for (const auto& atom : effect.add)
+        ground.add.insert(groundAtom(model, atom, bound));
+      for (const auto& atom : effect.del)
+        ground.del.insert(groundAtom(model, atom, bound));
+      action.conditional.push_back(std::move(ground));
+    }
+  }
   action.cost = costOf(model, schema, binding);
   return action;
 }
@@ -99,11 +179,35 @@ bool holds(const std::vector<Literal>& literals, const Atoms& atoms) {
   });
 }
 
+bool holds(const GroundFormula& formula, const Atoms& atoms) {
+  const auto part_holds = [&](const GroundFormula& part) { return holds(part, atoms); };
+  const auto& parts = formula.parts;
+  if (formula.kind == GroundFormula::Kind::Literal) return holds({formula.literal}, atoms);
+  return formula.kind == GroundFormula::Kind::All
+             ? std::all_of(parts.begin(), parts.end(), part_holds)
+             : std::any_of(parts.begin(), parts.end(), part_holds);
+}
+
+GroundFormula goalCondition(const Model& model) {
+  return Spelling(model, {}, model.goal_variables).of(model.goal_condition, {});
+}
+
+bool applicable(const GroundAction& action, const Atoms& atoms) {
+  return holds(action.precondition, atoms) && holds(action.condition, atoms);
+}
+
 Atoms successor(const GroundAction& action, const Atoms& atoms) {
+  Atoms deleted = action.del;
+  Atoms added = action.add;
+  for (const GroundEffect& effect : action.conditional) {
+    if (!holds(effect.condition, atoms)) continue;
+    deleted.insert(effect.del.begin(), effect.del.end());
+    added.insert(effect.add.begin(), effect.add.end());
+  }
   Atoms after = atoms;
-  for (const GroundName& atom : action.del)
+  for (const GroundName& atom : deleted)
     after.erase(atom);
-  after.insert(action.add.begin(), action.add.end());
+  after.insert(added.begin(), added.end());
   return after;
 }
 
@@ -138,21 +242,9 @@ RelaxedGrounding groundNaively(const Model& model) {
 }
 
 LiftedSpace::LiftedSpace(const Model& model, std::size_t most_states, bool unit_costs) {
-  Bits initial = 0;
-  for (const GroundName& atom : initialAtoms(model))
-    initial |= bit(atom);
-  for (const GroundAction& action : allActions(model)) {
-    BitAction bits;
-    for (const Literal& literal : action.precondition) {
-      (literal.negated ? bits.negative : bits.positive) |= bit(literal.atom);
-    }
-    for (const GroundName& atom : action.add)
-      bits.add |= bit(atom);
-    for (const GroundName& atom : action.del)
-      bits.del |= bit(atom);
-    bits.cost = unit_costs ? 1 : action.cost;
-    actions_.push_back(bits);
-  }
+  const Bits initial = bits(initialAtoms(model));
+  for (const GroundAction& action : allActions(model))
+    actions_.push_back(bitAction(action, unit_costs));
   std::set<std::pair<std::int64_t, Bits>> open = {{0, initial}};
   while (!open.empty()) {
     const auto [cost, state] = *open.begin();
@@ -161,11 +253,71 @@ LiftedSpace::LiftedSpace(const Model& model, std::size_t most_states, bool unit_
     complete_ = cost_.size() <= most_states;
     if (!complete_) return;
     for (const BitAction& action : actions_) {
-      if ((state & action.positive) != action.positive || (state & action.negative) != 0) continue;
-      const Bits after = (state & ~action.del) | action.add;
+      if (!applicable(action, state)) continue;
+      const Bits after = successor(action, state);
       if (cost_.count(after) == 0) open.emplace(cost + action.cost, after);
     }
   }
+}
+
+bool LiftedSpace::holds(const BitFormula& formula, Bits state) {
+  const auto part_holds = [&](const BitFormula& part) { return holds(part, state); };
+  const auto& parts = formula.parts;
+  if (formula.kind == GroundFormula::Kind::Literal) {
+    return ((state & formula.bit) != 0) != formula.negated;
+  }
+  return formula.kind == GroundFormula::Kind::All
+             ? std::all_of(parts.begin(), parts.end(), part_holds)
+             : std::any_of(parts.begin(), parts.end(), part_holds);
+}
+
+bool LiftedSpace::applicable(const BitAction& action, Bits state) {
+  return (state & action.positive) == action.positive && (state & action.negative) == 0 &&
+         holds(action.condition, state);
+}
+
+LiftedSpace::Bits LiftedSpace::successor(const BitAction& action, Bits state) {
+  Bits del = action.del;
+  Bits add = action.add;
+  for (const BitEffect& effect : action.conditional) {
+    if (!holds(effect.condition, state)) continue;
+    del |= effect.del;
+    add |= effect.add;
+  }
+  return (state & ~del) | add;
+}
+
+LiftedSpace::Bits LiftedSpace::bits(const Atoms& atoms) {
+  Bits all = 0;
+  for (const GroundName& atom : atoms)
+    all |= bit(atom);
+  return all;
+}
+
+LiftedSpace::BitFormula LiftedSpace::bitFormula(const GroundFormula& formula) {
+  BitFormula compiled;
+  compiled.kind = formula.kind;
+  compiled.negated = formula.literal.negated;
+  if (formula.kind == GroundFormula::Kind::Literal) compiled.bit = bit(formula.literal.atom);
+  for (const GroundFormula& part : formula.parts)
+    compiled.parts.push_back(bitFormula(part));
+  return compiled;
+}
+
+LiftedSpace::BitAction LiftedSpace::bitAction(const GroundAction& action, bool unit_costs) {
+  BitAction compiled;
+  for (const Literal& literal : action.precondition) {
+    (literal.negated ? compiled.negative : compiled.positive) |= bit(literal.atom);
+  }
+  compiled.condition = bitFormula(action.condition);
+  compiled.add = bits(action.add);
+  compiled.del = bits(action.del);
+  for (const GroundEffect& effect : action.conditional) {
+    compiled.conditional.push_back(
+        {bitFormula(effect.condition), bits(effect.add), bits(effect.del)});
+  }
+  compiled.cost = unit_costs ? 1 : action.cost;
+  return compiled;
 }
 
 LiftedSpace::Bits LiftedSpace::bit(const GroundName& atom) {

@@ -17,11 +17,27 @@ namespace goal_alignment::oracles {
 /// The atoms that are true.
 using Atoms = std::set<GroundName>;
 
+/// A formula whose quantifiers are spelled out. All without parts is true, Any without is false.
+struct GroundFormula {
+  enum class Kind { All, Any, Literal };
+  Kind kind = Kind::All;
+  Literal literal;
+  std::vector<GroundFormula> parts;
+};
+
+struct GroundEffect {
+  GroundFormula condition;
+  Atoms add;
+  Atoms del;
+};
+
 struct GroundAction {
   GroundName name;
   std::vector<Literal> precondition;
+  GroundFormula condition;  ///< the rest of it
   Atoms add;
   Atoms del;
+  std::vector<GroundEffect> conditional;
   std::int64_t cost = 1;  ///< by the model's metric
 };
 
@@ -30,12 +46,17 @@ Atoms initialAtoms(const pddl::Model& model);
 /// One action for every tuple of objects that types and equalities allow.
 std::vector<GroundAction> allActions(const pddl::Model& model);
 
+/// What the goal asks besides its literals.
+GroundFormula goalCondition(const pddl::Model& model);
+
 bool holds(const std::vector<Literal>& literals, const Atoms& atoms);
+bool holds(const GroundFormula& formula, const Atoms& atoms);
+bool applicable(const GroundAction& action, const Atoms& atoms);
 Atoms successor(const GroundAction& action, const Atoms& atoms);
 
 /// The actions that can be reached when nothing is deleted, with the atoms that then appear. A
 /// negated precondition may hold where its atom is not true at first, or its predicate is ever
-/// deleted.
+/// deleted. For models of literals alone.
 struct RelaxedGrounding {
   Atoms atoms;
   std::vector<GroundAction> actions;
@@ -62,14 +83,33 @@ class LiftedSpace {
 
  private:
   using Bits = std::uint64_t;
+  struct BitFormula {
+    GroundFormula::Kind kind = GroundFormula::Kind::All;
+    Bits bit = 0;
+    bool negated = false;
+    std::vector<BitFormula> parts;
+  };
+  struct BitEffect {
+    BitFormula condition;
+    Bits add = 0;
+    Bits del = 0;
+  };
   struct BitAction {
     Bits positive = 0;
     Bits negative = 0;
+    BitFormula condition;
     Bits add = 0;
     Bits del = 0;
+    std::vector<BitEffect> conditional;
     std::int64_t cost = 1;
   };
 
+  static bool holds(const BitFormula& formula, Bits state);
+  static bool applicable(const BitAction& action, Bits state);
+  static Bits successor(const BitAction& action, Bits state);
+  Bits bits(const Atoms& atoms);
+  BitFormula bitFormula(const GroundFormula& formula);
+  BitAction bitAction(const GroundAction& action, bool unit_costs);
   Bits bit(const GroundName& atom);
   bool holds(const Literal& literal, Bits state) const;
   bool holds(const std::vector<Literal>& goal, Bits state) const;

@@ -13,6 +13,7 @@ namespace {
 using Sketch = ModelSketch;
 
 const char* const kTop = "object";
+const char* const kEither = "(either t1 t2)";
 
 std::string typedList(const std::vector<Sketch::Typed>& list, bool typed) {
   std::string text;
@@ -58,13 +59,14 @@ std::string drawTerm(RandomSource& random, const Sketch& sketch, const std::stri
 }
 
 /// An atom over the parameters; empty where nothing fits.
-std::string drawAtom(RandomSource& random, const Sketch& sketch, const Sketch::Action& action,
-                     std::size_t first_predicate, Fit fit) {
+std::string drawAtom(RandomSource& random, const Sketch& sketch,
+                     const std::vector<Sketch::Typed>& parameters, std::size_t first_predicate,
+                     Fit fit) {
   const std::size_t count = sketch.predicates.size() - first_predicate;
   const Sketch::Predicate& predicate = sketch.predicates[first_predicate + random.below(count)];
   std::string text = "(" + predicate.name;
   for (const std::string& type : predicate.types) {
-    const std::string term = drawTerm(random, sketch, type, action.parameters, fit);
+    const std::string term = drawTerm(random, sketch, type, parameters, fit);
     if (term.empty()) return "";
     text += " " + term;
   }
@@ -101,7 +103,7 @@ void addTypesAndObjects(RandomSource& random, Sketch& sketch) {
 
 void addPreconditions(RandomSource& random, const Sketch& sketch, Sketch::Action& action) {
   for (std::size_t n = random.below(4); n > 0; --n) {
-    std::string atom = drawAtom(random, sketch, action, 0, Fit::Loose);
+    std::string atom = drawAtom(random, sketch, action.parameters, 0, Fit::Loose);
     if (!atom.empty() && chance(random, 0.3)) atom = "(not " + atom + ")";
     insertUnlessEmpty(action.precondition, std::move(atom));
   }
@@ -125,7 +127,7 @@ void addAction(RandomSource& random, Sketch& sketch) {
   addPreconditions(random, sketch, action);
   // From the second predicate on: the first one stays static.
   for (std::size_t n = between(random, 1, 2); n > 0; --n) {
-    insertUnlessEmpty(action.add, drawAtom(random, sketch, action, 1, Fit::Strict));
+    insertUnlessEmpty(action.add, drawAtom(random, sketch, action.parameters, 1, Fit::Strict));
   }
   // Most actions use up what they need, as real ones do: that is what conflicts are made of.
   for (const std::string& needed : action.precondition) {
@@ -134,13 +136,102 @@ void addAction(RandomSource& random, Sketch& sketch) {
     if (may_change && chance(random, 0.5)) action.del.push_back(needed);
   }
   for (std::size_t n = between(random, 0, 1); n > 0; --n) {
-    insertUnlessEmpty(action.del, drawAtom(random, sketch, action, 1, Fit::Strict));
+    insertUnlessEmpty(action.del, drawAtom(random, sketch, action.parameters, 1, Fit::Strict));
   }
   if (sketch.metric && !chance(random, 0.1)) {
     const bool weigh = !action.parameters.empty() && chance(random, 0.4);
     action.cost = weigh ? "(weight ?x)" : std::to_string(random.below(4));
   }
   sketch.actions.push_back(std::move(action));
+}
+
+/// Formulas and effects over the variables that are known where they stand.
+class AdlWriter {
+ public:
+  AdlWriter(RandomSource& random, const Sketch& sketch) : random_(random), sketch_(sketch) {}
+
+  std::string formula(const std::vector<Sketch::Typed>& scope, int depth) {
+    const std::size_t kind = depth == 0 ? 0 : random_.below(10);
+    if (kind < 4) return literal(scope);
+    if (kind == 4) return "(not " + formula(scope, depth - 1) + ")";
+    if (kind == 5) {
+      return "(imply " + formula(scope, depth - 1) + " " + formula(scope, depth - 1) + ")";
+    }
+    if (kind < 8) {
+      std::string text = chance(random_, 0.4) ? "(and" : "(or";
+      const std::size_t least = chance(random_, 0.1) ? 0 : 1;
+      for (std::size_t n = between(random_, least, 3); n > 0; --n)
+        text += " " + formula(scope, depth - 1);
+      return text + ")";
+    }
+    const Sketch::Typed variable = drawVariable();
+    return std::string("(") + (kind == 8 ? "forall" : "exists") + declared(variable) +
+           formula(within(scope, variable), depth - 1) + ")";
+  }
+
+  std::string effect(const std::vector<Sketch::Typed>& scope, int depth) {
+    const std::size_t kind = depth == 0 ? 0 : random_.below(6);
+    if (kind == 0) {
+      std::string text = "(and";
+      for (std::size_t n = between(random_, 1, 2); n > 0; --n) {
+        const std::string atom = drawAtom(random_, sketch_, scope, 1, Fit::Strict);
+        if (!atom.empty()) text += chance(random_, 0.5) ? " " + atom : " (not " + atom + ")";
+      }
+      return text + ")";
+    }
+    if (kind < 4) return "(when " + formula(scope, 2) + " " + effect(scope, depth - 1) + ")";
+    const Sketch::Typed variable = drawVariable();
+    return "(forall" + declared(variable) + effect(within(scope, variable), depth - 1) + ")";
+  }
+
+ private:
+  std::string literal(const std::vector<Sketch::Typed>& scope) {
+    std::string text = drawAtom(random_, sketch_, scope, 0, Fit::Loose);
+    if (scope.size() > 1 && chance(random_, 0.15)) {
+      text = "(= ?" + scope[random_.below(scope.size())].name + " ?" +
+             scope[random_.below(scope.size())].name + ")";
+    }
+    if (text.empty()) return "(and)";
+    return chance(random_, 0.4) ? "(not " + text + ")" : text;
+  }
+
+  Sketch::Typed drawVariable() {
+    const char* const names[] = {"x", "u", "v"};
+    Sketch::Typed variable{names[random_.below(3)], kTop};
+    if (sketch_.typed && chance(random_, 0.5)) {
+      const std::size_t type = random_.below(sketch_.types.size() + 1);
+      variable.type = type == sketch_.types.size() ? kEither : sketch_.types[type].name;
+    }
+    return variable;
+  }
+
+  static std::string declared(const Sketch::Typed& variable) {
+    return " (?" + variable.name + (variable.type == kTop ? "" : " - " + variable.type) + ") ";
+  }
+
+  static std::vector<Sketch::Typed> within(std::vector<Sketch::Typed> scope,
+                                           const Sketch::Typed& variable) {
+    const auto hidden = [&](const Sketch::Typed& outer) { return outer.name == variable.name; };
+    scope.erase(std::remove_if(scope.begin(), scope.end(), hidden), scope.end());
+    scope.push_back(variable);
+    return scope;
+  }
+
+  RandomSource& random_;
+  const Sketch& sketch_;
+};
+
+/// Puts unions where single types were.
+void uniteTypes(RandomSource& random, Sketch& sketch) {
+  if (!sketch.typed) return;
+  for (Sketch::Typed& object : sketch.objects) {
+    if (chance(random, 0.15)) object.type = kEither;
+  }
+  for (Sketch::Predicate& predicate : sketch.predicates) {
+    for (std::string& type : predicate.types) {
+      if (chance(random, 0.15)) type = kEither;
+    }
+  }
 }
 
 }  // namespace
@@ -174,6 +265,7 @@ std::string ModelSketch::domainText() const {
     text += "    :effect (and" + joined(action.add);
     for (const std::string& atom : action.del)
       text += " (not " + atom + ")";
+    text += joined(action.conditional);
     if (!action.cost.empty()) text += " (increase (total-cost) " + action.cost + ")";
     text += "))\n";
   }
@@ -193,6 +285,8 @@ pddl::Model ModelSketch::model() const {
 
 bool ModelSketch::isSubtype(const std::string& type, const std::string& wanted) const {
   if (wanted == kTop || type == wanted) return true;
+  if (type == kEither) return isSubtype("t1", wanted) && isSubtype("t2", wanted);
+  if (wanted == kEither) return isSubtype(type, "t1") || isSubtype(type, "t2");
   const auto declared = std::find_if(types.begin(), types.end(),
                                      [&](const Typed& entry) { return entry.name == type; });
   return declared != types.end() && isSubtype(declared->type, wanted);
@@ -223,14 +317,10 @@ std::vector<std::string> ModelSketch::atomsOf(const Predicate& predicate) const 
   return atoms;
 }
 
-ModelSketch randomSketch(RandomSource& random) {
-  ModelSketch sketch;
-  sketch.metric = chance(random, 0.4);
-  addTypesAndObjects(random, sketch);
-  const std::size_t actions = between(random, 2, 4);
-  while (sketch.actions.size() < actions)
-    addAction(random, sketch);
-  for (const ModelSketch::Predicate& predicate : sketch.predicates) {
+namespace {
+
+void addInit(RandomSource& random, Sketch& sketch) {
+  for (const Sketch::Predicate& predicate : sketch.predicates) {
     for (const std::string& atom : sketch.atomsOf(predicate)) {
       if (chance(random, 0.35)) sketch.init.push_back(atom);
     }
@@ -239,6 +329,45 @@ ModelSketch randomSketch(RandomSource& random) {
     sketch.init_values.push_back("(= (weight " + object + ") " + std::to_string(random.below(4)) +
                                  ")");
   }
+}
+
+}  // namespace
+
+ModelSketch randomSketch(RandomSource& random) {
+  ModelSketch sketch;
+  sketch.metric = chance(random, 0.4);
+  addTypesAndObjects(random, sketch);
+  const std::size_t actions = between(random, 2, 4);
+  while (sketch.actions.size() < actions)
+    addAction(random, sketch);
+  addInit(random, sketch);
+  return sketch;
+}
+
+ModelSketch randomAdlSketch(RandomSource& random) {
+  ModelSketch sketch;
+  sketch.metric = chance(random, 0.4);
+  addTypesAndObjects(random, sketch);
+  uniteTypes(random, sketch);
+  const std::size_t actions = between(random, 1, 3);
+  while (sketch.actions.size() < actions) {
+    addAction(random, sketch);
+    ModelSketch::Action& action = sketch.actions.back();
+    AdlWriter writer(random, sketch);
+    if (chance(random, 0.6))
+      action.precondition.resize(std::min<std::size_t>(action.precondition.size(), 1));
+    if (chance(random, 0.7)) action.precondition.push_back(writer.formula(action.parameters, 3));
+    for (std::size_t n = random.below(4); n > 0; --n)
+      action.conditional.push_back(writer.effect(action.parameters, 3));
+  }
+  addInit(random, sketch);
+  // The problem's objects may stand in its goal as the domain's constants do.
+  ModelSketch with_objects = sketch;
+  with_objects.constants.insert(with_objects.constants.end(), sketch.objects.begin(),
+                                sketch.objects.end());
+  AdlWriter writer(random, with_objects);
+  for (std::size_t n = between(random, 1, 3); n > 0; --n)
+    sketch.goal.push_back(writer.formula({}, 3));
   return sketch;
 }
 
@@ -269,6 +398,15 @@ ModelSketch randomSmallSketch(RandomSource& random, std::size_t most_states) {
   for (;;) {
     ModelSketch sketch = randomSketch(random);
     if (LiftedSpace(sketch.model(), most_states).complete()) return sketch;
+  }
+}
+
+ModelSketch randomSmallAdlSketch(RandomSource& random, std::size_t most_states) {
+  for (;;) {
+    // Most random conditions can't be met, so that few states say little: they get fewer turns.
+    ModelSketch sketch = randomAdlSketch(random);
+    const LiftedSpace space(sketch.model(), most_states);
+    if (space.complete() && (space.size() > 5 || chance(random, 0.1))) return sketch;
   }
 }
 

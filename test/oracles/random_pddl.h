@@ -26,8 +26,9 @@ struct ModelSketch {
     std::vector<Typed> parameters;
     std::vector<std::string> precondition;
     std::vector<std::string> add;
-    std::vector<std::string> del;  ///< the atoms, without `not`
-    std::string cost;              ///< `3` or `(weight ?x)`; empty: none is given
+    std::vector<std::string> del;               ///< the atoms, without `not`
+    std::string cost;                           ///< `3` or `(weight ?x)`; empty: none is given
+    std::vector<std::string> conditional = {};  ///< effects with `forall` and `when`
   };
 
   bool typed = true;
@@ -64,7 +65,12 @@ ModelSketch randomSketch(RandomSource& random);
 /// can't.
 ModelSketch carrySketch(RandomSource& random);
 
+/// randomSketch() with all of ADL: any formula, quantified (variables may hide others) and
+/// conditional effects, a goal that is a formula, unions of types.
+ModelSketch randomAdlSketch(RandomSource& random);
+
 /// A random sketch of at most so many reachable states.
 ModelSketch randomSmallSketch(RandomSource& random, std::size_t most_states);
+ModelSketch randomSmallAdlSketch(RandomSource& random, std::size_t most_states);
 
 }  // namespace goal_alignment::oracles

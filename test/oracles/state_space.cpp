@@ -35,7 +35,7 @@ bool holds(const task::FactSet& goal, const Facts& facts) {
   return true;
 }
 
-bool satisfies(const task::Goal& goal, const Facts& facts) {
+bool holds(const task::Goal& goal, const Facts& facts) {
   for (const task::FactSet& alternative : goal.alternatives) {
     if (holds(alternative, facts)) return true;
   }
@@ -43,21 +43,17 @@ bool satisfies(const task::Goal& goal, const Facts& facts) {
 }
 
 Facts successor(const task::Operator& op, const Facts& facts) {
+  Facts added(op.add.begin(), op.add.end());
+  Facts deleted(op.del.begin(), op.del.end());
+  for (const task::ConditionalEffect& effect : op.conditional) {
+    if (!holds(effect.condition, facts)) continue;
+    added.insert(effect.add.begin(), effect.add.end());
+    deleted.insert(effect.del.begin(), effect.del.end());
+  }
   Facts after = facts;
-  for (const FactId fact : op.del)
+  for (const FactId fact : deleted)
     after.erase(fact);
-  for (const task::ConditionalEffect& effect : op.conditional) {
-    for (const FactId fact : effect.del) {
-      if (holds(effect.condition, facts)) after.erase(fact);
-    }
-  }
-  for (const FactId fact : op.add)
-    after.insert(fact);
-  for (const task::ConditionalEffect& effect : op.conditional) {
-    for (const FactId fact : effect.add) {
-      if (holds(effect.condition, facts)) after.insert(fact);
-    }
-  }
+  after.insert(added.begin(), added.end());
   return after;
 }
 
@@ -83,10 +79,11 @@ std::map<Facts, Cost> reachable(const task::Task& task, const Facts& from) {
   return settled;
 }
 
-std::optional<Cost> optimalCost(const task::Task& task, const Facts& from, const task::Goal& goal) {
+std::optional<Cost> optimalCost(const task::Task& task, const Facts& from,
+                                const task::Goal& goal) {
   std::optional<Cost> best;
   for (const auto& [facts, cost] : reachable(task, from)) {
-    if (satisfies(goal, facts) && (!best || cost < *best)) best = cost;
+    if (holds(goal, facts) && (!best || cost < *best)) best = cost;
   }
   return best;
 }

@@ -20,7 +20,7 @@ Facts factsOf(const task::Task& task, const task::Word* state);
 task::State stateOf(const task::Task& task, const Facts& facts);
 
 bool holds(const task::FactSet& goal, const Facts& facts);
-bool satisfies(const task::Goal& goal, const Facts& facts);
+bool holds(const task::Goal& goal, const Facts& facts);
 Facts successor(const task::Operator& op, const Facts& facts);
 
 /// Tests every operator. In rising order.

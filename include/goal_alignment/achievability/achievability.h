@@ -103,7 +103,7 @@ class Achievability {
   void findMutexConflicts(const heuristics::MutexTable& mutexes);
   void addConflict(const std::vector<std::size_t>& candidates);
   CandidateSet satisfied(const task::Word* state) const;
-  task::FactSet goalFacts(const CandidateSet& set) const;
+  task::Goal goalWith(const CandidateSet& set) const;
   void recordPlan(const task::Plan& plan);
   std::optional<Check> recall(const CandidateSet& set) const;
   std::optional<Check> searchGreedily(const CandidateSet& set, const Limits& limits, Check& last);
@@ -114,7 +114,7 @@ class Achievability {
 
   SearchBudget budget_;
   std::optional<search::SearchTask> task_;  // without the operators that mutexes rule out
-  task::FactSet specified_;                 // the specified goal, without what is always true
+  task::Goal specified_;                    // the specified goal, without what is always true
   std::vector<task::FactId> facts_;         // by candidate; kNoFact: always or never true
   CandidateSet always_true_;
   CandidateSet never_true_;

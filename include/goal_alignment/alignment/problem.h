@@ -34,7 +34,9 @@ class HumanPlanInvalid : public Exception {
 /// S^H does not satisfy G^H.
 class GoalNotExpected : public Exception {
  public:
-  GoalNotExpected(const std::vector<Literal>& missing, bool plan_is_empty);
+  /// `condition`: the text of the goal's condition where that is false, else empty.
+  GoalNotExpected(const std::vector<Literal>& missing, const std::string& condition,
+                  bool plan_is_empty);
   const std::vector<Literal>& missing() const noexcept { return missing_; }
 
  private:
@@ -50,14 +52,17 @@ struct Candidate {
 struct Problem {
   pddl::Model robot;
   pddl::Model human;
-  std::vector<Literal> specified;      ///< G^H, sorted
+  std::vector<Literal> specified;  ///< the literal conjuncts of G^H, sorted
+  std::string condition;  ///< what G^H asks besides, the same in both models; empty: nothing.
+                          ///< As a formula it is each model's Model::goal_condition.
   std::vector<GroundName> human_plan;  ///< π^H
   validation::Execution expectation;   ///< π^H executed in the human model; its last state is S^H
   std::vector<Candidate> candidates;   ///< sorted by fluent
 };
 
-/// Puts the problem together: G^H is `goal`, or that of the problem files where it is empty; S^H is
-/// where π^H leads in the human model. Throws GoalsDiffer, HumanPlanInvalid, GoalNotExpected and
+/// Puts the problem together: G^H is `goal`, or that of the problem files where it is empty, which
+/// then may have a condition that is no conjunction of literals: it is kept as one. S^H is where
+/// π^H leads in the human model. Throws GoalsDiffer, HumanPlanInvalid, GoalNotExpected and
 /// pddl::SemanticError (a goal that the human model can't name), LimitReached.
 /// O(size of the models + sum of the states on the way).
 Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Literal>& goal,

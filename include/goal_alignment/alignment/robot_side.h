@@ -17,8 +17,9 @@ struct RobotSide {
   std::string human_plan_violation;  ///< one sentence on the first step that does not run, or empty
 };
 
-/// Grounds the robot's model, finds the conflicts of stages 0 to 2. Throws LimitReached and
-/// pddl::SemanticError (an action without a cost).
+/// Grounds the robot's model, finds the conflicts of stages 0 to 2. Throws LimitReached,
+/// pddl::SemanticError (an action without a cost) and pddl::UnsupportedError (a goal with a
+/// condition; conditions with too many alternatives).
 RobotSide makeRobotSide(const Problem& problem, bool unit_costs,
                         const achievability::SearchBudget& budget, const Limits& limits);
 

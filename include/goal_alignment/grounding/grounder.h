@@ -16,12 +16,16 @@
 ///     ------------------    ---------------------------    ------------------------------
 ///     Predicate, Atom       PredicateId, LiftedAtom        –
 ///     object, constant      ObjectId                       –
-///     Action                Schema                         Operator, one per instantiation
+///     Action                Schema                         Operator, one per instantiation and
+///                                                          alternative of its precondition
 ///     atom in :init         Atom in Model::init            FactId in Task::initial, or AlwaysTrue
 ///     (p ?x) in a           LiftedLiteral                  FactId, dropped when AlwaysTrue
 ///     precondition
 ///     (not (p ?x))          LiftedLiteral, negated         FactId of the complementary fact
 ///     (= ?x ?y)             Equality                       – (decided while joining)
+///     or, exists, forall    Formula                        alternatives, each a conjunction
+///     when, forall in an    ConditionalEffect              ConditionalEffect, one per
+///     instantiation effect                                               and alternative
 ///     total-cost            constant_cost, function_cost   Operator::cost
 namespace goal_alignment::grounding {
 
@@ -50,6 +54,10 @@ class GroundTask {
   /// of ground() named it; ask only for those. O(length of its name).
   FactStatus status(const Literal& literal) const;
 
+  /// The goal that these literals and the model's Model::goal_condition make together; without
+  /// alternatives where that is proven impossible. For negated literals as status() says.
+  task::Goal goal(const std::vector<Literal>& literals) const;
+
  private:
   friend class TaskBuilder;
 
@@ -59,6 +67,7 @@ class GroundTask {
   };
 
   const pddl::Model* model_ = nullptr;
+  std::vector<task::FactSet> condition_;  // alternatives of the model's goal condition
   std::unordered_map<pddl::Atom, AtomStatus, pddl::AtomHash> atoms_;  // the relaxed reachable ones
 };
 
@@ -66,8 +75,10 @@ class GroundTask {
 /// them get a complementary fact. Facts that never change are no part of the task. The model must
 /// outlive the result.
 ///
-/// Time and memory are proportional to the relaxed reachable part (see relaxed_reachability.h).
-/// Throws LimitReached; pddl::SemanticError where an action's cost is undefined.
+/// Time and memory are proportional to the relaxed reachable part (see relaxed_reachability.h) and
+/// the alternatives of its conditions. Throws LimitReached; pddl::SemanticError where an action's
+/// cost is undefined; pddl::UnsupportedError where the conditions of an action with its arguments,
+/// or the goal, have more than 10 000 alternatives.
 GroundTask ground(const pddl::Model& model, const std::vector<Literal>& literals,
                   const Options& options, const Limits& limits);
 

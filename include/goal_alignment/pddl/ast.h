@@ -18,13 +18,18 @@ struct Name {
   SourcePosition position;
 };
 
-/// One entry of a typed list; no type means `object`. For parameters the name has its `?`.
-struct TypedName {
-  Name name;
-  std::shared_ptr<const Name> type;  ///< one for all names of `a b c - type`
+/// A type, or the union `(either a b)`.
+struct TypeName : Name {
+  std::vector<Name> either;  ///< the members of a union; empty: the one type of this name
 };
 
-/// `(predicate term …)`; a term is a parameter when it begins with `?`.
+/// One entry of a typed list; no type means `object`. For variables the name has its `?`.
+struct TypedName {
+  Name name;
+  std::shared_ptr<const TypeName> type;  ///< one for all names of `a b c - type`
+};
+
+/// `(predicate term …)`; a term is a parameter or a quantified variable when it begins with `?`.
 struct Atom {
   Name predicate;
   std::vector<Name> terms;
@@ -37,8 +42,25 @@ struct Literal {
   bool equality = false;  ///< atom.predicate is `=` and there are two terms
 };
 
-/// A conjunction; empty is true.
-using Condition = std::vector<Literal>;
+/// What may be true in a state. Nested as deep as the text, which its reader bounds.
+struct Formula {
+  enum class Kind { Literal, And, Or, Not, Imply, ForAll, Exists };
+  Kind kind = Kind::Literal;
+  Literal literal;                   ///< of Kind::Literal
+  std::vector<TypedName> variables;  ///< of a quantifier
+  std::vector<Formula> parts;        ///< one of Not and the quantifiers, two of Imply
+};
+
+/// A conjunction, flattened; empty is true.
+using Condition = std::vector<Formula>;
+
+/// `(forall (variable …) effect)` or `(when condition effect)`.
+struct ConditionalEffect {
+  std::vector<TypedName> variables;
+  Condition condition;
+  std::vector<Literal> literals;
+  std::vector<ConditionalEffect> nested;
+};
 
 /// `(increase (total-cost) n)` or `(increase (total-cost) (f term …))`.
 struct CostEffect {
@@ -56,6 +78,7 @@ struct Action {
   std::vector<TypedName> parameters;
   Condition precondition;
   std::vector<Literal> effect;
+  std::vector<ConditionalEffect> conditional;
   std::optional<CostEffect> cost;
 };
 

@@ -28,9 +28,11 @@ struct Spelled {
   std::string spelling;
 };
 
+/// A type of the tree below `object`, or the union `(either a b)`, which stands beside it.
 struct Type {
   Spelled name;
-  TypeId parent = -1;  ///< -1 for `object`
+  TypeId parent = -1;           ///< -1 for `object`
+  std::vector<TypeId> members;  ///< of a union, none a subtype of another; else empty
 };
 
 struct Object {
@@ -44,10 +46,11 @@ struct Predicate {
   bool fluent = false;  ///< some action adds or deletes it
 };
 
-/// A term of a lifted atom: the action's n-th parameter or an object.
+/// A term of a lifted atom: the action's n-th parameter, from there on a quantified variable, or an
+/// object.
 struct Term {
   bool is_parameter = false;
-  int index = 0;  ///< parameter index or ObjectId
+  int index = 0;  ///< index of the parameter or variable, or ObjectId
 };
 
 struct LiftedAtom {
@@ -71,14 +74,39 @@ struct Parameter {
   TypeId type = kObjectType;
 };
 
-/// An action schema. Where an effect both adds and deletes one ground atom, the add wins.
+/// A formula in negation normal form: negations stand at atoms only, implications are disjunctions.
+struct Formula {
+  enum class Kind : std::uint8_t { And, Or, ForAll, Exists, Literal, Equality };
+  Kind kind = Kind::And;  ///< And without parts is true, Or without parts is false
+  LiftedLiteral literal;
+  Equality equality;
+  std::vector<int> variables;  ///< of a quantifier: as Term::index, each bound by this one alone
+  std::vector<Formula> parts;  ///< a quantifier has one
+
+  /// Whether nothing is asked.
+  bool trivial() const { return kind == Kind::And && parts.empty(); }
+};
+
+/// `(forall (variable …) (when condition (and literal …)))`. The condition counts in the state that
+/// the action is applied in.
+struct ConditionalEffect {
+  std::vector<int> variables;  ///< as Formula::variables
+  Formula condition;
+  std::vector<LiftedAtom> add;
+  std::vector<LiftedAtom> del;
+};
+
+/// An action schema. Where its effects both add and delete one ground atom, the add wins.
 struct Schema {
   Spelled name;
   std::vector<Parameter> parameters;
-  std::vector<LiftedLiteral> precondition;
-  std::vector<Equality> equalities;
+  std::vector<Parameter> quantified;  ///< the variables behind the parameters, of all formulas
+  std::vector<LiftedLiteral> precondition;  ///< conjuncts that are literals …
+  std::vector<Equality> equalities;         ///< … or equalities of the parameters,
+  Formula condition;                        ///< and what the precondition asks besides
   std::vector<LiftedAtom> add;
   std::vector<LiftedAtom> del;
+  std::vector<ConditionalEffect> conditional;
   std::int64_t constant_cost = 0;           ///< of `(increase (total-cost) n)`
   std::optional<LiftedAtom> function_cost;  ///< of `(increase (total-cost) (f …))`; .predicate
                                             ///< indexes Model::functions
@@ -113,8 +141,10 @@ struct Model {
   std::vector<Predicate> predicates;
   std::vector<Predicate> functions;  ///< numeric, without total-cost
   std::vector<Schema> schemas;
-  std::vector<Atom> init;  ///< without duplicates
-  std::vector<GoalLiteral> goal;
+  std::vector<Atom> init;                 ///< without duplicates
+  std::vector<GoalLiteral> goal;          ///< the conjuncts that are literals,
+  Formula goal_condition;                 ///< and what the goal asks besides
+  std::vector<Parameter> goal_variables;  ///< that the condition quantifies
   std::unordered_map<Atom, std::int64_t, AtomHash> function_values;
   bool has_costs = false;  ///< the problem minimises total-cost; else every action costs 1
 
@@ -122,8 +152,11 @@ struct Model {
   std::optional<ObjectId> findObject(const std::string& lower_name) const;
   std::optional<SchemaId> findSchema(const std::string& lower_name) const;
 
-  /// Reflexive and transitive. O(depth of the hierarchy), which link() bounds.
+  /// Reflexive and transitive. O(depth of the hierarchy · size of the unions), which are bounded.
   bool isSubtype(TypeId type, TypeId of) const;
+
+  /// Whether an object may be of both types.
+  bool overlap(TypeId a, TypeId b) const;
 
   /// The atom by ids, or nothing where the predicate, an object, the arity or a type does not fit;
   /// `why_not`, if given, then says which.
@@ -135,6 +168,14 @@ struct Model {
   /// The text of an atom or action with the names as they were written, where this model knows
   /// them, else as they are.
   std::string spelling(const GroundName& ground) const;
+
+  /// The formula with objects for the variables that are bound (`binding[i]` ≥ 0). Two formulas of
+  /// one text mean the same: names are in lower case, quantified variables are called by their
+  /// depth, conjuncts and disjuncts are sorted and without duplicates. O(size · depth).
+  std::string text(const Formula& formula, const std::vector<Parameter>& variables,
+                   const std::vector<ObjectId>& binding = {}) const;
+  /// What the goal asks besides its literals, as text(); empty: nothing.
+  std::string goalConditionText() const;
 
   /// The goal becomes these literals. Throws SemanticError naming the literal that does not fit.
   void setGoal(const std::vector<Literal>& literals);

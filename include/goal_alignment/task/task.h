@@ -47,6 +47,9 @@ struct Goal {
   explicit Goal(std::vector<FactSet> disjunction) : alternatives(std::move(disjunction)) {}
 };
 
+/// The goal and these facts besides.
+Goal withFacts(Goal goal, const FactSet& facts);
+
 /// Facts, operators and an initial state. Goals are no part of it: one task serves many goal sets.
 struct Task {
   std::vector<Literal> facts;  ///< by FactId; negated: a complementary fact

@@ -106,7 +106,7 @@ RC_GTEST_PROP(Achievability, RecordedExecutionsAreAchievedSets, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   const validation::Execution execution = validation::execute(hagl.robot, hagl.input.human_plan);
-  const std::size_t runs = execution.states.size() - 1;
+  const std::size_t runs = execution.stepsRun();
   const auto robot = make(hagl);
   robot->recordExecution({hagl.input.human_plan.begin(),
                           hagl.input.human_plan.begin() + static_cast<std::ptrdiff_t>(runs)});
@@ -115,15 +115,15 @@ RC_GTEST_PROP(Achievability, RecordedExecutionsAreAchievedSets, ()) {
     RC_ASSERT(!validation::fault(hagl.robot, steps, goalOf(hagl, set.to_ulong())).has_value());
   }
   // A state on the way that satisfies G^H answers for itself, without a search.
-  for (const auto& state : execution.states) {
-    if (!validation::unsatisfied(hagl.robot, state, hagl.specified).empty()) continue;
+  execution.forEachState([&](std::size_t, const validation::AtomSet& state) {
+    if (!validation::unsatisfied(hagl.robot, state, hagl.specified).empty()) return;
     CandidateBits set = 0;
     for (std::size_t f = 0; f < hagl.size(); ++f) {
       const bool holds = validation::unsatisfied(hagl.robot, state, {hagl.candidates[f]}).empty();
       if (holds) set |= CandidateBits{1} << f;
     }
     RC_ASSERT(robot->check(setOf(hagl.size(), set), {}).verdict == Verdict::Achievable);
-  }
+  });
   RC_ASSERT(robot->plannerCalls() == 0U);
 }
 

@@ -84,6 +84,57 @@ TEST(Problem, AGivenGoalReplacesThoseOfTheFiles) {
   EXPECT_EQ(problem.specified, std::vector<Literal>{literal("(held a)")});
 }
 
+pddl::Model deskWithGoal(const std::string& domain, const std::string& goal) {
+  std::string problem = samples::kDeskProblem;
+  const std::string old = "(:goal (down b))";
+  problem.replace(problem.find(old), old.size(), "(:goal " + goal + ")");
+  return pddl::readModel({"d.pddl", domain}, {"p.pddl", problem});
+}
+
+Problem deskProblem(const std::string& robot_goal, const std::string& human_goal) {
+  return makeProblem(deskWithGoal(samples::kDeskRobotDomain, robot_goal),
+                     deskWithGoal(samples::kDeskHumanDomain, human_goal), {}, samples::deskPlan());
+}
+
+TEST(Problem, AGoalThatIsNoConjunctionIsKeptAsOneCondition) {
+  const Problem problem = deskProblem("(and (down b) (or (red a) (red b)))",
+                                      "(and (imply (not (RED B)) (red A)) (down B))");
+  EXPECT_EQ(problem.specified, std::vector<Literal>{literal("(down b)")});
+  EXPECT_EQ(problem.condition, "(or (red a) (red b))");
+  EXPECT_EQ(problem.candidates.size(), 6U) << "(red a) is one of them";
+}
+
+TEST(Problem, GoalsThatDifferInTheConditionDiffer) {
+  try {
+    deskProblem("(or (red a) (free))", "(or (red a) (red b))");
+    FAIL() << "two goals were taken for one";
+  } catch (const GoalsDiffer& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("(or (free) (red a))"), std::string::npos) << what;
+    EXPECT_NE(what.find("(or (red a) (red b))"), std::string::npos) << what;
+  }
+}
+
+TEST(Problem, AConditionThatThePlanMissesIsNamed) {
+  try {
+    deskProblem("(forall (?x) (red ?x))", "(forall (?x) (red ?x))");
+    FAIL() << "b is not red";
+  } catch (const GoalNotExpected& error) {
+    EXPECT_TRUE(error.missing().empty());
+    EXPECT_NE(std::string(error.what()).find("(forall (?1 - object) (red ?1))"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Problem, AGivenGoalReplacesConditionsToo) {
+  const Problem problem =
+      makeProblem(deskWithGoal(samples::kDeskRobotDomain, "(or (red a) (free))"),
+                  deskWithGoal(samples::kDeskHumanDomain, "(forall (?x) (red ?x))"),
+                  {literal("(held a)")}, samples::deskPlan());
+  EXPECT_EQ(problem.condition, "");
+  EXPECT_TRUE(problem.robot.goal_condition.trivial());
+}
+
 TEST(Problem, AGivenGoalThatTheHumanModelCannotNameIsRefused) {
   try {
     makeProblem(deskRobot(), deskHuman(), {literal("(held z)")}, samples::deskPlan());

@@ -43,9 +43,9 @@ TEST(DomainParser, ReadsAnAction) {
   ASSERT_EQ(move.parameters.size(), 3U);
   EXPECT_EQ(move.parameters[1].type->spelling, "place");
   ASSERT_EQ(move.precondition.size(), 3U);
-  EXPECT_EQ(move.precondition[0].atom.predicate.spelling, "HandEmpty");
-  EXPECT_TRUE(move.precondition[2].equality);
-  EXPECT_TRUE(move.precondition[2].negated);
+  EXPECT_EQ(move.precondition[0].literal.atom.predicate.spelling, "HandEmpty");
+  EXPECT_TRUE(move.precondition[2].literal.equality);
+  EXPECT_TRUE(move.precondition[2].literal.negated);
   ASSERT_EQ(move.effect.size(), 2U);
   EXPECT_TRUE(move.effect[0].negated);
   ASSERT_TRUE(move.cost && move.cost->function);
@@ -87,8 +87,8 @@ TEST(DomainParser, ConjunctionsAreFlattened) {
   const ast::Action nested =
       action(":precondition (and (p) (and (q) (and (not (r)))) (s)) :effect (and (and (p)) (q))");
   ASSERT_EQ(nested.precondition.size(), 4U);
-  EXPECT_TRUE(nested.precondition[2].negated);
-  EXPECT_EQ(nested.precondition[3].atom.predicate.spelling, "s");
+  EXPECT_TRUE(nested.precondition[2].literal.negated);
+  EXPECT_EQ(nested.precondition[3].literal.atom.predicate.spelling, "s");
   EXPECT_EQ(nested.effect.size(), 2U);
   EXPECT_EQ(action(":precondition (p) :effect (not (p))").precondition.size(), 1U);
 }
@@ -187,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{kStart + "(:action a :precondition ((p))))",
                "d.pddl:2:27: expected a predicate, 'and', 'not' or ')', found '('"},
         Broken{kStart + "(:action a :precondition (not p)))",
-               "d.pddl:2:31: expected an atom's '(', found 'p'"},
+               "d.pddl:2:31: expected a formula's '(', found 'p'"},
         Broken{kStart + "(:action a :precondition (not (p) (q))))",
                "d.pddl:2:35: expected ')', found '('"},
         Broken{kStart + "(:action a :precondition (= ?x)))",

@@ -70,10 +70,7 @@ TEST(LiteralsParser, SaysWhereALineIsBroken) {
   EXPECT_EQ(error("on a b"), "goal:1:1: expected a literal's '(', found 'on'");
   EXPECT_EQ(error("(not p)"), "goal:1:6: expected an atom's '(', found 'p'");
   EXPECT_EQ(error("(and (p))"), "goal:1:2: expected a predicate, found 'and'");
-  EXPECT_EQ(samples::errorOf<UnsupportedError>([] {
-              parseLiterals({"goal", "(or (p))"});
-            }),
-            "goal:1:2: not supported yet: 'or' (a disjunction), at a list of literals");
+  EXPECT_EQ(error("(or (p))"), "goal:1:2: expected a predicate, found 'or'");
 }
 
 }  // namespace

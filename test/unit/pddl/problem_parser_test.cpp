@@ -25,7 +25,7 @@ TEST(ProblemParser, ReadsEverySection) {
   ASSERT_EQ(problem.init_values.size(), 3U);
   EXPECT_EQ(problem.init_values[1].value, 3);
   ASSERT_EQ(problem.goal.size(), 2U);
-  EXPECT_TRUE(problem.goal[1].negated);
+  EXPECT_TRUE(problem.goal[1].literal.negated);
   EXPECT_EQ(problem.goal_position.line, 6);
   EXPECT_EQ(problem.goal_position.column, 4);
   EXPECT_TRUE(problem.minimises_total_cost);
@@ -55,7 +55,7 @@ TEST(ProblemParser, APredicateMayBeCalledAt) {
   const ast::Problem problem =
       parse("(define (problem p) (:domain d) (:init (at 5 home)) (:goal (at x 7)))");
   EXPECT_EQ(problem.init.at(0).terms.size(), 2U);
-  EXPECT_EQ(problem.goal.at(0).atom.terms.size(), 2U);
+  EXPECT_EQ(problem.goal.at(0).literal.atom.terms.size(), 2U);
 }
 
 struct Broken {

@@ -25,7 +25,7 @@ RC_GTEST_PROP(Anytime, EndsWithAnOptimalPlan, ()) {
   RC_ASSERT(improved.optimal);
   RC_ASSERT(improved.cost == oracles::optimalCost(task, oracles::initialFacts(task), goal).value());
   const auto end = oracles::execute(task, improved.plan);
-  RC_ASSERT(end && oracles::satisfies(goal, *end));
+  RC_ASSERT(end && oracles::holds(goal, *end));
   RC_ASSERT(task::cost(task, improved.plan) == improved.cost);
 }
 
@@ -45,7 +45,7 @@ RC_GTEST_PROP(Anytime, ALimitLeavesTheBestPlanSoFar, ()) {
               oracles::optimalCost(task, oracles::initialFacts(task), goal).value());
   }
   const auto end = oracles::execute(task, improved.plan);
-  RC_ASSERT(end && oracles::satisfies(goal, *end));
+  RC_ASSERT(end && oracles::holds(goal, *end));
 }
 
 RC_GTEST_PROP(Weighted, FindsWhatIsCheaperThanTheBound, ()) {

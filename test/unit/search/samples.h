@@ -51,7 +51,7 @@ inline std::unique_ptr<SearchTask> packed(const task::Task& task) {
 /// The result's plan runs, satisfies the goal and costs what the result says.
 inline bool valid(const task::Task& task, const task::Goal& goal, const Result& result) {
   const auto end = oracles::execute(task, result.plan);
-  return end && oracles::satisfies(goal, *end) && task::cost(task, result.plan) == result.cost;
+  return end && oracles::holds(goal, *end) && task::cost(task, result.plan) == result.cost;
 }
 
 }  // namespace goal_alignment::search::samples

@@ -36,7 +36,7 @@ RC_GTEST_PROP(Projection, WhatRunsInItRunsInTheTask, ()) {
   }
   const auto end = oracles::execute(task, projection.original(plan));
   RC_ASSERT(end.has_value());
-  RC_ASSERT(oracles::satisfies(goal, *end) == oracles::satisfies(projection.goal, facts));
+  RC_ASSERT(oracles::holds(goal, *end) == oracles::holds(projection.goal, facts));
   RC_ASSERT(cost(task, projection.original(plan)) == cost(projection.task, plan));
 }
 

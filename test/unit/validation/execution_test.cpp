@@ -10,6 +10,9 @@
 #include <vector>
 
 #include "goal_alignment/pddl/parser.h"
+#include "oracles/lifted_space.h"
+#include "oracles/random_pddl.h"
+#include "oracles/seeds.h"
 #include "unit/pddl/samples.h"
 
 namespace goal_alignment::validation {
@@ -38,18 +41,21 @@ TEST(Execute, RunsAGoodPlan) {
   const Model model = pddl::samples::tea();
   const Execution execution = execute(model, plan(kGood));
   EXPECT_FALSE(execution.violation) << execution.violation->message;
-  EXPECT_EQ(execution.states.size(), 4U);
+  EXPECT_EQ(execution.stepsRun(), 3U);
   EXPECT_EQ(execution.costs, (std::vector<std::int64_t>{0, 3, 8, 8}));
   EXPECT_EQ(execution.cost(), 8);
   EXPECT_TRUE(unsatisfied(model, execution.finalState(), model.goalLiterals()).empty());
-  EXPECT_EQ(unsatisfied(model, execution.states[2], model.goalLiterals()), model.goalLiterals())
-      << "before the pouring the pot is hot and the mug empty";
+  execution.forEachState([&](std::size_t step, const AtomSet& state) {
+    if (step != 2) return;
+    EXPECT_EQ(unsatisfied(model, state, model.goalLiterals()), model.goalLiterals())
+        << "before the pouring the pot is hot and the mug empty";
+  });
 }
 
 TEST(Execute, TheEmptyPlanEndsWhereItBegan) {
   const Model model = pddl::samples::tea();
   const Execution execution = execute(model, {});
-  ASSERT_EQ(execution.states.size(), 1U);
+  EXPECT_EQ(execution.stepsRun(), 0U);
   EXPECT_EQ(execution.finalState(), AtomSet(model.init.begin(), model.init.end()));
   EXPECT_EQ(execution.cost(), 0);
 }
@@ -103,7 +109,7 @@ TEST_P(BrokenPlan, NamesTheStepAndWhatIsWrong) {
   EXPECT_EQ(execution.violation->message, broken.message);
   EXPECT_EQ(execution.violation->kind, broken.kind);
   EXPECT_EQ(execution.violation->step, broken.step);
-  EXPECT_EQ(execution.states.size(), broken.step + 1) << "the states up to the step are there";
+  EXPECT_EQ(execution.stepsRun(), broken.step) << "what comes before the step is there";
   EXPECT_EQ(execution.violation->literal.has_value(), broken.kind == Kind::Precondition);
 }
 
@@ -133,6 +139,83 @@ TEST(Execute, GivesTheFalsePreconditionAsALiteral) {
             Literal::parse("(at pot table)"));
   EXPECT_EQ(execute(model, plan("(move pot shelf shelf)")).violation->literal,
             Literal::parse("(not (= shelf shelf))"));
+}
+
+TEST(Execute, NamesTheFalseFormulaWithItsObjects) {
+  const Model model = small(
+      "(:action a :parameters (?x ?y) :precondition (and (p ?x) (or (q) (forall (?z) (imply (p ?z)"
+      " (= ?z ?x))))) :effect (q))",
+      "(:init (p a) (p b))");
+  const Execution execution = execute(model, plan("(a a b)"));
+  ASSERT_TRUE(execution.violation);
+  EXPECT_EQ(execution.violation->message,
+            "step 1 (a a b): the precondition (or (forall (?1 - object) (or (= ?1 a) (not (p ?1))))"
+            " (q)) is false");
+  EXPECT_FALSE(execution.violation->literal);
+}
+
+TEST(Execute, ConditionsCountInTheStateBefore) {
+  const Model model = small(
+      "(:action swap :parameters (?x ?y) :effect (and (when (p ?x) (and (not (p ?x)) (p ?y)))"
+      " (when (p ?y) (and (not (p ?y)) (p ?x)))))"
+      "(:action all :effect (forall (?x) (when (not (p ?x)) (and (p ?x) (q)))))",
+      "(:init (p a))");
+  EXPECT_EQ(unsatisfied(model, execute(model, plan("(swap a b)")).finalState(),
+                        literals("(not (p a)) (p b)")),
+            std::vector<Literal>{});
+  EXPECT_EQ(execute(model, plan("(all)")).finalState().size(), 3U);
+  EXPECT_EQ(execute(model, plan("(swap a b) (swap a b)")).finalState(),
+            execute(model, {}).finalState());
+}
+
+TEST(Execute, StopsAtADeadlineWithinAQuantifier) {
+  std::string objects;
+  for (int i = 0; i < 100; ++i)
+    objects += " o" + std::to_string(i);
+  const Model model = pddl::readModel(
+      {"d",
+       "(define (domain d) (:predicates (p)) (:action a :precondition (exists"
+       " (?a ?b ?c ?d ?e ?f ?g ?h) (p)) :effect (p)))"},
+      {"p", "(define (problem p) (:domain d) (:objects" + objects + ") (:goal (p)))"});
+  EXPECT_THROW(execute(model, plan("(a)"), Limits{}.withSeconds(0.02)), LimitReached);
+}
+
+// Random plans of random ADL models, against what brute force makes of them.
+RC_GTEST_PROP(Execute, AgreesWithBruteForceOnFormulas, ()) {
+  RandomSource random = oracles::anySource();
+  const oracles::ModelSketch sketch = oracles::randomAdlSketch(random);
+  const Model model = sketch.model();
+  RC_LOG() << sketch.domainText() << sketch.problemText();
+  const std::vector<oracles::GroundAction> actions = oracles::allActions(model);
+  std::vector<oracles::Atoms> states = {oracles::initialAtoms(model)};
+  std::vector<GroundName> steps;
+  bool runs = true;
+  while (runs && !actions.empty() && steps.size() < 6) {
+    const auto& action = actions[random.below(actions.size())];
+    steps.push_back(action.name);
+    runs = oracles::applicable(action, states.back());
+    if (runs) states.push_back(oracles::successor(action, states.back()));
+  }
+  const Execution execution = execute(model, steps);
+  RC_ASSERT(execution.violation.has_value() == !runs);
+  RC_ASSERT(execution.stepsRun() == states.size() - 1);
+  execution.forEachState([&](std::size_t step, const AtomSet& state) {
+    oracles::Atoms names;
+    for (const pddl::Atom& atom : state)
+      names.insert(model.name(atom));
+    RC_ASSERT(names == states.at(step));
+  });
+  RC_ASSERT(satisfiesCondition(model, execution.finalState()) ==
+            oracles::holds(oracles::goalCondition(model), states.back()));
+}
+
+TEST(Fault, NamesTheConditionOfTheGoal) {
+  const Model model = pddl::readModel(
+      {"d", "(define (domain d) (:predicates (p ?x)) (:action a :parameters (?x) :effect (p ?x)))"},
+      {"p", "(define (problem p) (:domain d) (:objects a b) (:goal (forall (?x) (p ?x))))"});
+  EXPECT_EQ(fault(model, plan("(a a)"), {}),
+            "the plan runs, but ends without the goal (forall (?1 - object) (p ?1))");
+  EXPECT_EQ(fault(model, plan("(a a) (a b)"), {}), std::nullopt);
 }
 
 TEST(Unsatisfied, WhatTheModelCanNotNameIsFalse) {

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "operator_builder.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "atom_index.h"
+#include "goal_alignment/common/exceptions.h"
+#include "goal_alignment/common/quote.h"
+
+namespace goal_alignment::grounding {
+
+using pddl::Schema;
+using task::ConditionalEffect;
+using task::FactSet;
+using task::Operator;
+
+namespace {
+
+bool contains(const FactSet& set, std::uint32_t element) {
+  return std::binary_search(set.begin(), set.end(), element);
+}
+
+void subtract(FactSet& from, const FactSet& what) {
+  from.erase(std::remove_if(from.begin(), from.end(),
+                            [&](std::uint32_t element) { return contains(what, element); }),
+             from.end());
+}
+
+void insert(FactSet& into, const FactSet& what) {
+  into.insert(into.end(), what.begin(), what.end());
+  into = task::makeFactSet(std::move(into));
+}
+
+}  // namespace
+
+OperatorBuilder::OperatorBuilder(const pddl::Model& model, const RelaxedReachability& reached,
+                                 const std::vector<bool>& changes, FactTable& facts,
+                                 const Options& options, const Limits& limits)
+    : model_(model),
+      reached_(reached),
+      changes_(changes),
+      facts_(facts),
+      options_(options),
+      limits_(limits),
+      monitor_(limits),
+      conditions_(model, facts, limits) {
+  for (const Schema& schema : model.schemas) {
+    variables_.push_back(schema.parameters);
+    variables_.back().insert(variables_.back().end(), schema.quantified.begin(),
+                             schema.quantified.end());
+  }
+}
+
+std::vector<Operator> OperatorBuilder::build() {
+  collectGroups();
+  for (const Group& group : groups_)
+    addGroup(group);
+  completeComplements();
+  std::size_t kept = 0;
+  for (Operator& op : operators_) {
+    pollLimits();
+    writeEffects(op);
+    const bool changes_nothing =
+        op.del.empty() && op.conditional.empty() &&
+        std::includes(op.precondition.begin(), op.precondition.end(), op.add.begin(), op.add.end());
+    if (changes_nothing) continue;
+    if (&operators_[kept] != &op) operators_[kept] = std::move(op);
+    ++kept;
+  }
+  operators_.resize(kept);
+  return std::move(operators_);
+}
+
+const Rule& OperatorBuilder::ruleOf(std::size_t instantiation) const {
+  return reached_.rules[reached_.instantiations[instantiation].rule];
+}
+
+const Schema& OperatorBuilder::schemaOf(std::size_t instantiation) const {
+  return model_.schemas[static_cast<std::size_t>(ruleOf(instantiation).schema)];
+}
+
+void OperatorBuilder::collectGroups() {
+  std::vector<std::size_t> rules(model_.schemas.size(), 0);
+  for (const Rule& rule : reached_.rules)
+    ++rules[static_cast<std::size_t>(rule.schema)];
+  std::unordered_map<pddl::Atom, std::size_t, pddl::AtomHash> group_of;
+  for (std::size_t i = 0; i < reached_.instantiations.size(); ++i) {
+    pollLimits();
+    const Rule& rule = ruleOf(i);
+    const auto& arguments = reached_.instantiations[i].arguments;
+    // One rule whose variables are the parameters makes every instantiation a group of its own.
+    const auto parameters = static_cast<std::ptrdiff_t>(schemaOf(i).parameters.size());
+    const bool alone = rules[static_cast<std::size_t>(rule.schema)] == 1 &&
+                       arguments.size() == schemaOf(i).parameters.size();
+    std::size_t group = groups_.size();
+    if (!alone) {
+      const pddl::Atom key{rule.schema, {arguments.begin(), arguments.begin() + parameters}};
+      group = group_of.emplace(key, group).first->second;
+    }
+    if (group == groups_.size()) groups_.emplace_back();
+    (rule.effect == Rule::kAction ? groups_[group].actions : groups_[group].effects).push_back(i);
+  }
+}
+
+void OperatorBuilder::enter(std::size_t instantiation) {
+  const Rule& rule = ruleOf(instantiation);
+  const auto& variables = variables_[static_cast<std::size_t>(rule.schema)];
+  std::vector<pddl::ObjectId> binding(variables.size(), kUnbound);
+  bind(rule, reached_.instantiations[instantiation].arguments, binding);
+  conditions_.enter(variables, std::move(binding));
+}
+
+/// Of the instantiation that was entered last.
+Alternatives OperatorBuilder::conditionOf(std::size_t instantiation) {
+  const Rule& rule = ruleOf(instantiation);
+  FactSet facts;
+  bool possible = true;
+  const auto conjoin = [&](const std::vector<pddl::LiftedAtom>& atoms, bool negated) {
+    for (const pddl::LiftedAtom& atom : atoms) {
+      if (static_cast<std::size_t>(atom.predicate) >= model_.predicates.size()) continue;
+      const Decided decided = facts_.decide(conditions_.atom(atom), negated);
+      if (decided.kind == Decided::Kind::False) possible = false;
+      if (decided.kind == Decided::Kind::Fact) facts.push_back(decided.fact);
+    }
+  };
+  conjoin(rule.body, false);
+  conjoin(rule.absent, true);
+  if (!possible) return {};
+  facts = task::makeFactSet(std::move(facts));
+  if (conditions_.contradicts(facts)) return {};
+  Alternatives condition = {std::move(facts)};
+  for (const pddl::Formula* formula : rule.residual)
+    condition = conditions_.conjunction(condition, conditions_.of(*formula));
+  return condition;
+}
+
+std::vector<AtomId> OperatorBuilder::reachedAtoms(
+    const std::vector<pddl::LiftedAtom>& atoms) const {
+  std::vector<AtomId> ids;
+  for (const pddl::LiftedAtom& atom : atoms) {
+    const AtomId id = facts_.find(conditions_.atom(atom));
+    if (id != kUnreached && changes_[id]) ids.push_back(id);
+  }
+  return task::makeFactSet(std::move(ids));
+}
+
+/// Until writeEffects(), `add` and `del` of operators and effects hold AtomIds.
+std::vector<ConditionalEffect> OperatorBuilder::groundEffects(const Group& group) {
+  std::map<std::pair<FactSet, FactSet>, Alternatives> conditions;
+  for (const std::size_t instantiation : group.effects) {
+    pollLimits();
+    enter(instantiation);
+    const pddl::ConditionalEffect& effect =
+        schemaOf(instantiation).conditional[ruleOf(instantiation).effect];
+    std::pair<FactSet, FactSet> changed{reachedAtoms(effect.add), reachedAtoms(effect.del)};
+    subtract(changed.second, changed.first);
+    if (changed.first.empty() && changed.second.empty()) continue;
+    Alternatives& condition = conditions[changed];
+    condition = conditions_.disjunction(std::move(condition), conditionOf(instantiation));
+  }
+  std::vector<ConditionalEffect> effects;
+  for (const auto& [changed, condition] : conditions) {
+    for (const FactSet& alternative : condition)
+      effects.push_back({alternative, changed.first, changed.second});
+  }
+  return effects;
+}
+
+void OperatorBuilder::addGroup(const Group& group) {
+  if (group.actions.empty()) return;
+  try {
+    Alternatives preconditions;
+    for (const std::size_t instantiation : group.actions) {
+      enter(instantiation);
+      Alternatives condition = conditionOf(instantiation);
+      preconditions = group.actions.size() == 1
+                          ? std::move(condition)
+                          : conditions_.disjunction(std::move(preconditions), condition);
+    }
+    if (preconditions.empty()) return;
+    const std::vector<ConditionalEffect> effects = groundEffects(group);
+    enter(group.actions.front());
+    for (FactSet& precondition : preconditions) {
+      pollLimits();
+      addOperator(group.actions.front(), std::move(precondition), effects);
+    }
+  } catch (const TooManyAlternatives&) {
+    throw pddl::UnsupportedError(model_.domain_source, {},
+                                 "not supported yet: more than " +
+                                     std::to_string(TooManyAlternatives::kMost) +
+                                     " alternatives in the conditions of action " +
+                                     inQuotes(schemaOf(group.actions.front()).name.spelling));
+  }
+}
+
+/// Leaves out of the condition what holds anyway; false where it can't hold.
+bool OperatorBuilder::assume(const FactSet& precondition, FactSet& condition) const {
+  FactSet both = precondition;
+  insert(both, condition);
+  subtract(condition, precondition);
+  return !conditions_.contradicts(both);
+}
+
+void OperatorBuilder::addOperator(std::size_t instantiation, FactSet precondition,
+                                  const std::vector<ConditionalEffect>& effects) {
+  const Schema& schema = schemaOf(instantiation);
+  Operator op;
+  op.precondition = std::move(precondition);
+  op.add = reachedAtoms(schema.add);
+  op.del = reachedAtoms(schema.del);
+  for (const ConditionalEffect& each : effects) {
+    ConditionalEffect effect = each;
+    if (!assume(op.precondition, effect.condition)) continue;
+    if (effect.condition.empty()) {
+      insert(op.add, effect.add);
+      insert(op.del, effect.del);
+    } else {
+      op.conditional.push_back(std::move(effect));
+    }
+  }
+  letAddsWin(op);
+  op.cost = cost(instantiation);
+  op.name.name = schema.name.name;
+  const auto& arguments = reached_.instantiations[instantiation].arguments;
+  for (std::size_t i = 0; i < schema.parameters.size(); ++i) {
+    const auto object = static_cast<std::size_t>(arguments[i]);
+    op.name.arguments.push_back(model_.objects[object].name.name);
+  }
+  account(op);
+  operators_.push_back(std::move(op));
+}
+
+/// What an unconditional effect does anyway, conditional ones need not say, nor undo.
+void OperatorBuilder::letAddsWin(Operator& op) const {
+  subtract(op.del, op.add);
+  for (ConditionalEffect& effect : op.conditional) {
+    subtract(effect.add, op.add);
+    subtract(effect.del, op.add);
+    subtract(effect.del, op.del);
+  }
+  op.conditional.erase(std::remove_if(op.conditional.begin(), op.conditional.end(),
+                                      [](const ConditionalEffect& effect) {
+                                        return effect.add.empty() && effect.del.empty();
+                                      }),
+                       op.conditional.end());
+}
+
+/// Where a condition decides whether an atom is added after it was deleted, its complement depends
+/// on the condition's negation, which may need complements in turn.
+void OperatorBuilder::completeComplements() {
+  for (bool again = true; again;) {
+    again = false;
+    for (const Operator& op : operators_) {
+      pollLimits();
+      again = completeComplements(op) || again;
+    }
+  }
+}
+
+bool OperatorBuilder::completeComplements(const Operator& op) {
+  const std::size_t before = facts_.facts().size();
+  for (const ConditionalEffect& adding : op.conditional) {
+    const bool negated = std::any_of(adding.add.begin(), adding.add.end(), [&](AtomId atom) {
+      if (facts_.complement(atom) == kNoFact) return false;
+      return contains(op.del, atom) ||
+             std::any_of(op.conditional.begin(), op.conditional.end(),
+                         [&](const ConditionalEffect& e) { return contains(e.del, atom); });
+    });
+    if (!negated) continue;
+    for (const task::FactId fact : adding.condition)
+      facts_.addOpposite(fact);
+  }
+  return facts_.facts().size() > before;
+}
+
+/// AtomIds to facts, complementary ones included: such a fact is deleted where the atom is added,
+/// and added where the atom is deleted and not added.
+void OperatorBuilder::writeEffects(Operator& op) {
+  const Operator drafted = std::move(op);
+  op = Operator{drafted.name, drafted.precondition, {}, {}, drafted.cost, {}};
+  const auto to_facts = [this](const FactSet& atoms) {
+    FactSet facts;
+    for (const AtomId atom : atoms)
+      facts.push_back(facts_.fact(atom));
+    return facts;
+  };
+  op.add = to_facts(drafted.add);
+  op.del = to_facts(drafted.del);
+  FactSet touched = drafted.add;
+  insert(touched, drafted.del);
+  for (const ConditionalEffect& effect : drafted.conditional) {
+    op.conditional.push_back({effect.condition, to_facts(effect.add), to_facts(effect.del)});
+    touched.insert(touched.end(), effect.add.begin(), effect.add.end());
+    touched.insert(touched.end(), effect.del.begin(), effect.del.end());
+  }
+  for (const AtomId atom : task::makeFactSet(std::move(touched))) {
+    if (facts_.complement(atom) != kNoFact) writeComplement(atom, drafted, op);
+  }
+  // Effects of one condition become one.
+  std::map<FactSet, ConditionalEffect> merged;
+  for (ConditionalEffect& effect : op.conditional) {
+    ConditionalEffect& into = merged[effect.condition];
+    into.condition = effect.condition;
+    insert(into.add, effect.add);
+    insert(into.del, effect.del);
+  }
+  op.conditional.clear();
+  for (auto& [condition, effect] : merged) {
+    subtract(effect.del, effect.add);
+    op.conditional.push_back(std::move(effect));
+  }
+  op.add = task::makeFactSet(std::move(op.add));
+  op.del = task::makeFactSet(std::move(op.del));
+}
+
+void OperatorBuilder::writeComplement(AtomId atom, const Operator& drafted, Operator& op) {
+  const task::FactId complement = facts_.complement(atom);
+  if (contains(drafted.add, atom)) {
+    op.del.push_back(complement);
+    return;
+  }
+  Alternatives deleted;
+  if (contains(drafted.del, atom)) deleted.emplace_back();
+  Alternatives not_added(1);
+  for (std::size_t i = 0; i < drafted.conditional.size(); ++i) {
+    const ConditionalEffect& effect = drafted.conditional[i];
+    if (contains(effect.del, atom)) deleted.push_back(effect.condition);
+    if (contains(effect.add, atom)) op.conditional[i].del.push_back(complement);
+  }
+  if (deleted.empty()) return;
+  try {
+    for (const ConditionalEffect& effect : drafted.conditional) {
+      if (!contains(effect.add, atom)) continue;
+      not_added = conditions_.conjunction(not_added, conditions_.negation(effect.condition));
+    }
+    for (FactSet& condition : conditions_.conjunction(deleted, not_added)) {
+      if (!assume(op.precondition, condition)) continue;
+      if (condition.empty()) {
+        op.add.push_back(complement);
+      } else {
+        op.conditional.push_back({condition, {complement}, {}});
+      }
+    }
+  } catch (const TooManyAlternatives&) {
+    throw pddl::UnsupportedError(
+        model_.domain_source, {},
+        "not supported yet: more than " + std::to_string(TooManyAlternatives::kMost) +
+            " alternatives in the effects of action " + inQuotes(drafted.name.name));
+  }
+}
+
+task::Cost OperatorBuilder::cost(std::size_t instantiation) const {
+  const Schema& action = schemaOf(instantiation);
+  if (options_.unit_costs || !model_.has_costs) return 1;
+  if (!action.function_cost) return action.constant_cost;
+  const pddl::Atom term = conditions_.atom(*action.function_cost);
+  const auto value = model_.function_values.find(term);
+  if (value != model_.function_values.end()) return action.constant_cost + value->second;
+  std::string text = "(" + model_.functions[static_cast<std::size_t>(term.predicate)].name.name;
+  for (const pddl::ObjectId object : term.objects)
+    text += " " + model_.objects[static_cast<std::size_t>(object)].name.spelling;
+  throw pddl::SemanticError(model_.problem_source, {},
+                            "the cost of action '" + action.name.spelling + "' needs a value of " +
+                                text + "), which :init does not give");
+}
+
+/// Alternatives and conditional effects may take far more than what was reached.
+void OperatorBuilder::account(const Operator& op) {
+  std::size_t ids = op.precondition.size() + op.add.size() + op.del.size();
+  for (const ConditionalEffect& effect : op.conditional)
+    ids += effect.condition.size() + effect.add.size() + effect.del.size();
+  bytes_ += sizeof(Operator) + op.conditional.size() * sizeof(ConditionalEffect) +
+            ids * sizeof(std::uint32_t);
+  if (bytes_ > limits_.bytes) throw LimitReached(LimitReason::Memory, "grounding");
+}
+
+void OperatorBuilder::pollLimits() {
+  const LimitReason reason = monitor_.poll();
+  if (reason != LimitReason::None) throw LimitReached(reason, "grounding");
+}
+
+}  // namespace goal_alignment::grounding

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "fact_table.h"
+#include "goal_alignment/common/limits.h"
+#include "goal_alignment/grounding/grounder.h"
+#include "goal_alignment/grounding/relaxed_reachability.h"
+#include "goal_alignment/pddl/model.h"
+#include "goal_alignment/task/task.h"
+#include "ground_condition.h"
+
+namespace goal_alignment::grounding {
+
+/// Writes the operators, in two passes: what effects do to a complementary fact can be said only
+/// once all conditions have named the ones they need.
+class OperatorBuilder {
+ public:
+  OperatorBuilder(const pddl::Model& model, const RelaxedReachability& reached,
+                  const std::vector<bool>& changes, FactTable& facts, const Options& options,
+                  const Limits& limits);
+
+  /// Throws LimitReached; pddl::SemanticError, pddl::UnsupportedError as ground() does.
+  std::vector<task::Operator> build();
+
+ private:
+  /// All that was reached of one action with its arguments.
+  struct Group {
+    std::vector<std::size_t> actions;  // instantiations, one for each alternative
+    std::vector<std::size_t> effects;  // instantiations of its conditional effects
+  };
+
+  const Rule& ruleOf(std::size_t instantiation) const;
+  const pddl::Schema& schemaOf(std::size_t instantiation) const;
+  void collectGroups();
+  void addGroup(const Group& group);
+  std::vector<task::ConditionalEffect> groundEffects(const Group& group);
+  void enter(std::size_t instantiation);
+  Alternatives conditionOf(std::size_t instantiation);
+  std::vector<AtomId> reachedAtoms(const std::vector<pddl::LiftedAtom>& atoms) const;
+  void addOperator(std::size_t instantiation, task::FactSet precondition,
+                   const std::vector<task::ConditionalEffect>& effects);
+  bool assume(const task::FactSet& precondition, task::FactSet& condition) const;
+  void letAddsWin(task::Operator& op) const;
+  void completeComplements();
+  bool completeComplements(const task::Operator& op);
+  void writeEffects(task::Operator& op);
+  void writeComplement(AtomId atom, const task::Operator& drafted, task::Operator& op);
+  task::Cost cost(std::size_t instantiation) const;
+  void account(const task::Operator& op);
+  void pollLimits();
+
+  const pddl::Model& model_;
+  const RelaxedReachability& reached_;
+  const std::vector<bool>& changes_;
+  FactTable& facts_;
+  Options options_;
+  Limits limits_;
+  LimitMonitor monitor_;
+  ConditionGrounder conditions_;
+  std::vector<std::vector<pddl::Parameter>> variables_;  // by schema
+  std::vector<Group> groups_;                            // in the order of their first action
+  std::vector<task::Operator> operators_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace goal_alignment::grounding
