@@ -73,4 +73,9 @@ SingleCall singleCall(const pddl::Source& domain, const pddl::Source& problem, C
   return call;
 }
 
+std::size_t operatorCount(const pddl::Source& domain, const pddl::Source& problem) {
+  const pddl::Model model = pddl::readModel(domain, problem);
+  return grounding::ground(model, model.goalLiterals(), {}, {}).task.operators.size();
+}
+
 }  // namespace goal_alignment::benchmarks

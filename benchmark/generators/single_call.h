@@ -36,4 +36,7 @@ struct SingleCall {
 SingleCall singleCall(const pddl::Source& domain, const pddl::Source& problem, CallKind kind,
                       const Limits& limits);
 
+/// The relaxed reachable operators of a task: how large it really is.
+std::size_t operatorCount(const pddl::Source& domain, const pddl::Source& problem);
+
 }  // namespace goal_alignment::benchmarks
