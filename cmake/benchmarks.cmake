@@ -2,10 +2,6 @@
 # Measurements of the core; nothing depends on their results.
 find_package(benchmark REQUIRED)
 
-file(GLOB measure_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/benchmark/measure/*.cpp)
-add_library(goal_alignment_measuring STATIC EXCLUDE_FROM_ALL ${measure_sources})
-target_link_libraries(goal_alignment_measuring PUBLIC goal_alignment_generators PRIVATE fmt::fmt)
-
 file(GLOB benchmark_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/benchmark/*.cpp)
 add_executable(goal_alignment_benchmarks EXCLUDE_FROM_ALL ${benchmark_sources})
 target_link_libraries(goal_alignment_benchmarks PRIVATE
@@ -16,6 +12,6 @@ target_link_libraries(goal_alignment_measure PRIVATE goal_alignment_measuring)
 add_executable(goal_alignment_generate EXCLUDE_FROM_ALL benchmark/programs/generate.cpp)
 target_link_libraries(goal_alignment_generate PRIVATE goal_alignment_generators)
 
-foreach(target measuring benchmarks measure generate)
+foreach(target benchmarks measure generate)
   target_compile_options(goal_alignment_${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
 endforeach()
