@@ -53,6 +53,24 @@ void settleGoals(AlignmentInstance& instance, const std::vector<std::string>& st
   instance.true_goal.assign(wanted.begin(), wanted.end());
 }
 
+// What the person never saw they know nothing about.
+void forgetDishesFrom(Models& human, int first, int end) {
+  std::set<std::string> unknown;
+  for (int i = first; i < end; ++i)
+    unknown.insert(numbered("dish", i));
+  auto& objects = human.problem.objects;
+  objects.erase(std::remove_if(objects.begin(), objects.end(),
+                               [&](const Typed& it) { return unknown.count(it.name) > 0; }),
+                objects.end());
+  auto& init = human.problem.init;
+  init.erase(std::remove_if(init.begin(), init.end(),
+                            [&](const std::string& fact) {
+                              const GroundName it = GroundName::parse(fact);
+                              return !it.arguments.empty() && unknown.count(it.arguments[0]) > 0;
+                            }),
+             init.end());
+}
+
 }  // namespace
 
 session::Input AlignmentInstance::input() const {
@@ -89,25 +107,11 @@ AlignmentInstance householdAlignment(const HouseholdSize& size, int known, const
                                      RandomSource& random) {
   AlignmentInstance instance = {household(size, random), {}, {}, {}};
   Models human = instance.robot;
-  forgetDelete(human.domain, "set-down", "(bare ?p)");
+  forgetPredicate(human, "bare");
   forgetCondition(human.domain, "set-down", "(in-reach ?p)");
   forgetCondition(human.domain, "set-down", "(light ?d)");
   forgetCondition(human.domain, "take-out", "(in-reach ?p)");
-  // Of the dishes that they don't know of they know nothing.
-  std::set<std::string> unknown;
-  for (int i = std::max(known, size.laid); i < size.dishes; ++i)
-    unknown.insert(numbered("dish", i));
-  auto& objects = human.problem.objects;
-  objects.erase(std::remove_if(objects.begin(), objects.end(),
-                               [&](const Typed& it) { return unknown.count(it.name) > 0; }),
-                objects.end());
-  auto& init = human.problem.init;
-  init.erase(std::remove_if(init.begin(), init.end(),
-                            [&](const std::string& fact) {
-                              const GroundName it = GroundName::parse(fact);
-                              return !it.arguments.empty() && unknown.count(it.arguments[0]) > 0;
-                            }),
-             init.end());
+  forgetDishesFrom(human, std::max(known, size.laid), size.dishes);
   const Misreading besides = {false, true, true, true};
   human = misread(human, besides, random);
   instance.human = human;
@@ -122,7 +126,7 @@ AlignmentInstance householdAlignment(const HouseholdSize& size, int known, const
 }
 
 AlignmentInstance largeHome(std::uint64_t seed) {
-  constexpr int kKnown = 52;
+  constexpr int kKnown = 72;
   HouseholdSize size;
   size.rooms = 10;
   size.cupboards = 20;

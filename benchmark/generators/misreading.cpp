@@ -13,13 +13,6 @@ namespace {
 
 using Part = std::vector<std::string> ActionParts::*;
 
-void forget(DomainParts& domain, const std::string& action, Part part, const std::string& literal) {
-  std::vector<std::string>& literals = domain.action(action).*part;
-  const auto found = std::find(literals.begin(), literals.end(), literal);
-  if (found == literals.end()) throw std::out_of_range(action + " has no " + literal);
-  literals.erase(found);
-}
-
 void forgetSome(DomainParts& domain, Part part, std::size_t count, RandomSource& random) {
   for (; count > 0; --count) {
     std::vector<ActionParts*> having;
@@ -146,11 +139,31 @@ Models misread(const Models& robot, const Misreading& misreading, RandomSource& 
 }
 
 void forgetCondition(DomainParts& domain, const std::string& action, const std::string& literal) {
-  forget(domain, action, &ActionParts::condition, literal);
+  std::vector<std::string>& literals = domain.action(action).condition;
+  const auto found = std::find(literals.begin(), literals.end(), literal);
+  if (found == literals.end()) throw std::out_of_range(action + " has no " + literal);
+  literals.erase(found);
 }
 
-void forgetDelete(DomainParts& domain, const std::string& action, const std::string& literal) {
-  forget(domain, action, &ActionParts::del, literal);
+void forgetPredicate(Models& models, const std::string& name) {
+  const auto drop = [&](std::vector<std::string>& literals) {
+    literals.erase(std::remove_if(literals.begin(), literals.end(),
+                                  [&](const auto& literal) {
+                                    return GroundName::parse(literal).name == name;
+                                  }),
+                   literals.end());
+  };
+  for (ActionParts& action : models.domain.actions) {
+    drop(action.condition);
+    drop(action.add);
+    drop(action.del);
+  }
+  drop(models.problem.init);
+  drop(models.problem.goal);
+  auto& predicates = models.domain.predicates;
+  predicates.erase(std::remove_if(predicates.begin(), predicates.end(),
+                                  [&](const auto& known) { return known.name == name; }),
+                   predicates.end());
 }
 
 }  // namespace goal_alignment::benchmarks

@@ -28,7 +28,7 @@ Models misread(const Models& robot, const Misreading& misreading, RandomSource& 
 /// Takes the literal out of the action's precondition; throws std::out_of_range where it isn't.
 void forgetCondition(DomainParts& domain, const std::string& action, const std::string& literal);
 
-/// The same for a delete effect.
-void forgetDelete(DomainParts& domain, const std::string& action, const std::string& literal);
+/// Takes out the predicate and all that is said with it.
+void forgetPredicate(Models& models, const std::string& name);
 
 }  // namespace goal_alignment::benchmarks

@@ -44,10 +44,10 @@ Job callJob(const std::string& suite, const std::string& name, const Path& domai
 }
 
 Job alignmentJob(const std::string& suite, const std::string& name, const Path& folder,
-                 const std::string& policy) {
+                 const DialogueOptions& dialogue) {
   return {suite, name, "align", [=](const MeasureLimits& limits, Record& record, const Save& save) {
             const auto files = cli::InstanceFiles::of(folder.string());
-            AlignmentWork work = {cli::readInput(files), {}, policy};
+            AlignmentWork work = {cli::readInput(files), {}, dialogue};
             if (!files.true_goal.empty())
               work.true_goal = pddl::parseLiterals(pddl::readFile(files.true_goal));
             measureAlignment(work, limits, record, save);
@@ -56,7 +56,7 @@ Job alignmentJob(const std::string& suite, const std::string& name, const Path& 
 
 }  // namespace
 
-std::vector<Job> jobsBelow(const std::string& path, const std::string& policy) {
+std::vector<Job> jobsBelow(const std::string& path, const DialogueOptions& dialogue) {
   std::error_code error;
   if (!std::filesystem::is_directory(path, error))
     throw pddl::InputError(path, {}, "expected a folder");
@@ -72,7 +72,7 @@ std::vector<Job> jobsBelow(const std::string& path, const std::string& policy) {
             ? std::filesystem::absolute(path).lexically_normal().filename().string()
             : name.substr(0, name.find('/'));
     if (std::filesystem::exists(folder / "robot_domain.pddl")) {
-      jobs.push_back(alignmentJob(suite, name, folder, policy));
+      jobs.push_back(alignmentJob(suite, name, folder, dialogue));
       continue;
     }
     std::sort(files.begin(), files.end());

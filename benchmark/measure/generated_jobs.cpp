@@ -7,9 +7,9 @@
 namespace goal_alignment::benchmarks {
 namespace {
 
-void align(const AlignmentInstance& instance, const std::string& policy,
+void align(const AlignmentInstance& instance, const DialogueOptions& dialogue,
            const MeasureLimits& limits, Record& record, const Save& save) {
-  measureAlignment({instance.input(), instance.true_goal, policy}, limits, record, save);
+  measureAlignment({instance.input(), instance.true_goal, dialogue}, limits, record, save);
 }
 
 Job familyCall(const Family& family, int size, std::uint64_t seed, CallKind kind) {
@@ -25,12 +25,10 @@ Job familyCall(const Family& family, int size, std::uint64_t seed, CallKind kind
 }
 
 Job householdJob(const std::string& suite, const HouseholdSize& size, int known, int grown,
-                 std::uint64_t seed, const std::string& policy) {
+                 std::uint64_t seed, const DialogueOptions& dialogue) {
   const auto work = [=](const MeasureLimits& limits, Record& record, const Save& save) {
     RandomSource random(seed);
-    Truth truth;
-    truth.wanted = 0.2;
-    align(householdAlignment(size, known, truth, random), policy, limits, record, save);
+    align(householdAlignment(size, known, {}, random), dialogue, limits, record, save);
   };
   return {suite, numbered("household-" + suite + "-", grown), "align", work};
 }
@@ -48,7 +46,7 @@ std::vector<Job> familyCalls(std::uint64_t seed) {
   return jobs;
 }
 
-std::vector<Job> familyAlignments(std::uint64_t seed, const std::string& policy) {
+std::vector<Job> familyAlignments(std::uint64_t seed, const DialogueOptions& dialogue) {
   std::vector<Job> jobs;
   for (const Family& family : families()) {
     if (!family.solvable) continue;
@@ -61,7 +59,7 @@ std::vector<Job> familyAlignments(std::uint64_t seed, const std::string& policy)
                                          const Save& save) {
             RandomSource random(seed);
             const Models robot = family.make(size, random);
-            align(alignmentOf(robot, misreadingOf(differences), {wanted}, random), policy, limits,
+            align(alignmentOf(robot, misreadingOf(differences), {wanted}, random), dialogue, limits,
                   record, save);
           };
           jobs.push_back({family.name,
@@ -74,7 +72,7 @@ std::vector<Job> familyAlignments(std::uint64_t seed, const std::string& policy)
   return jobs;
 }
 
-std::vector<Job> householdGrowth(std::uint64_t seed, const std::string& policy) {
+std::vector<Job> householdGrowth(std::uint64_t seed, const DialogueOptions& dialogue) {
   std::vector<Job> jobs;
   HouseholdSize base;
   base.rooms = 4;
@@ -85,18 +83,18 @@ std::vector<Job> householdGrowth(std::uint64_t seed, const std::string& policy) 
   for (const int dishes : {8, 16, 32, 64, 128, 256}) {
     HouseholdSize size = base;
     size.dishes = dishes;
-    jobs.push_back(householdJob("operators", size, kKnown, dishes, seed, policy));
-    jobs.push_back(householdJob("candidates", size, dishes, dishes, seed, policy));
+    jobs.push_back(householdJob("operators", size, kKnown, dishes, seed, dialogue));
+    jobs.push_back(householdJob("candidates", size, dishes, dishes, seed, dialogue));
   }
   for (const int rooms : {4, 8, 16, 32, 64, 128}) {  // each has little in it: few operators
     HouseholdSize size = base;
     size.rooms = rooms;
     size.dishes = kKnown;
-    jobs.push_back(householdJob("objects", size, kKnown, rooms, seed, policy));
+    jobs.push_back(householdJob("objects", size, kKnown, rooms, seed, dialogue));
   }
   jobs.push_back({"large-home", numbered("large-home-", static_cast<int>(seed)), "align",
                   [=](const MeasureLimits& limits, Record& record, const Save& save) {
-                    align(largeHome(seed), policy, limits, record, save);
+                    align(largeHome(seed), dialogue, limits, record, save);
                   }});
   return jobs;
 }

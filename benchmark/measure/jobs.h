@@ -23,17 +23,17 @@ std::vector<Job> familyCalls(std::uint64_t seed);
 
 /// Alignments of the families with a plan, whose models differ in actions only and in everything,
 /// under three truths.
-std::vector<Job> familyAlignments(std::uint64_t seed, const std::string& policy);
+std::vector<Job> familyAlignments(std::uint64_t seed, const DialogueOptions& dialogue);
 
 /// Households in which one of the numbers of objects, operators and candidates grows (the suite's
 /// name), as far as possible alone, and the large home.
-std::vector<Job> householdGrowth(std::uint64_t seed, const std::string& policy);
+std::vector<Job> householdGrowth(std::uint64_t seed, const DialogueOptions& dialogue);
 
 /// What stands at the path and below: alignments where there is a robot_domain.pddl, else planning
 /// tasks: each problem with `<problem>-domain.pddl`, `domain-<problem>.pddl` (with or without
 /// `-problem` in its own name), or the folder's `domain.pddl`. Sorted by path. Throws
 /// pddl::InputError where there is nothing.
-std::vector<Job> jobsBelow(const std::string& path, const std::string& policy);
+std::vector<Job> jobsBelow(const std::string& path, const DialogueOptions& dialogue);
 
 /// The job in a process of its own.
 Record run(const Job& job, const MeasureLimits& limits);

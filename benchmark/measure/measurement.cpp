@@ -76,7 +76,8 @@ void measureCall(const pddl::Source& domain, const pddl::Source& problem, CallKi
 void measureAlignment(const AlignmentWork& work, const MeasureLimits& limits, Record& record,
                       const Save& save) {
   session::Options options;
-  options.policy = work.policy;
+  options.policy = work.dialogue.policy;
+  options.conflicts = work.dialogue.conflicts;
   options.time_limit = limits.seconds;
   options.memory_limit = limits.mebibytes << 20U;
   const std::set<Literal> wanted(work.true_goal.begin(), work.true_goal.end());

@@ -28,10 +28,16 @@ struct MeasureLimits {
 void measureCall(const pddl::Source& domain, const pddl::Source& problem, CallKind kind,
                  const MeasureLimits& limits, Record& record);
 
+/// How the alignments go about it; conflicts as the node's default has it.
+struct DialogueOptions {
+  std::string policy = "auto";
+  session::ConflictMode conflicts = session::ConflictMode::Lazy;
+};
+
 struct AlignmentWork {
   session::Input input;
   std::vector<Literal> true_goal;
-  std::string policy = "auto";
+  DialogueOptions dialogue;
 };
 
 /// One alignment into `record`: status (the outcome's word), objects, operators (the robot's),

@@ -26,7 +26,7 @@ void writePlot(const Plot& plot, const std::filesystem::path& file) {
 std::vector<Series> bySuite(const Records& records, const std::string& kind, const std::string& x) {
   std::map<std::string, Series> series;
   for (const Record& record : records) {
-    if (record.text("kind") != kind || !isFinished(record)) continue;
+    if (record.text("kind") != kind || !isFinished(record) || record.number(x) <= 0) continue;
     Series& own = series[record.text("suite")];
     own.name = record.text("suite");
     own.points.emplace_back(record.number(x), record.number("total"));

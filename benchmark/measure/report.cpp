@@ -85,8 +85,8 @@ std::string row(const std::string& kind, const std::string& suite, const Records
                      split(records), largest(records, "peak_mib"));
 }
 
-// How far x and y spread within the finished records: `×12`.
-std::string factor(const Records& records, const std::string& field) {
+// By how much the largest exceeds the smallest within the finished records; 0 where there are none.
+double factor(const Records& records, const std::string& field) {
   double least = std::numeric_limits<double>::max();
   double most = 0;
   for (const Record& record : records) {
@@ -95,7 +95,7 @@ std::string factor(const Records& records, const std::string& field) {
     least = std::min(least, value);
     most = std::max(most, value);
   }
-  return most > 0 ? fmt::format("×{:.3g}", most / least) : "–";
+  return most > 0 ? most / least : 0;
 }
 
 // What a suite is about: that which its name says grows, else the operators.
@@ -104,13 +104,29 @@ std::string grownIn(const std::string& suite) {
 }
 
 std::string growthRow(const std::string& kind, const std::string& suite, const Records& records) {
-  constexpr int kFewest = 3;  // through two points there is always a line
+  constexpr int kFewest = 3;          // through two points there is always a line
+  constexpr double kLeastSpread = 3;  // tasks of one size say nothing of growth
   const std::string x = grownIn(suite);
   const auto finished = std::count_if(records.begin(), records.end(), isFinished);
   const double exponent = growthExponent(records, x, "total");
-  if (finished < kFewest || std::isnan(exponent)) return {};
-  return fmt::format("| {} | {} | {} | {} | {} | {:.2f} |\n", kind, suite, x, factor(records, x),
+  const double spread = factor(records, x);
+  if (finished < kFewest || spread < kLeastSpread || std::isnan(exponent)) return {};
+  return fmt::format("| {} | {} | {} | ×{:.3g} | ×{:.3g} | {:.2f} |\n", kind, suite, x, spread,
                      factor(records, "total"), exponent);
+}
+
+std::string headline(const std::string& of, Records records, bool alignments) {
+  records.erase(std::remove_if(records.begin(), records.end(),
+                               [&](const Record& record) {
+                                 return (record.text("kind") == "align") != alignments;
+                               }),
+                records.end());
+  if (records.empty()) return {};
+  const Checks checks = checksOf(records);
+  const auto finished = std::count_if(records.begin(), records.end(), isFinished);
+  return fmt::format(
+      "Checks left unknown, {}: **{}** ({:.0f} of {:.0f}); finished: {} of {} tasks.\n\n", of,
+      percent(checks.unknown, checks.all), checks.unknown, checks.all, finished, records.size());
 }
 
 }  // namespace
@@ -148,9 +164,8 @@ double growthExponent(const Records& records, const std::string& x, const std::s
 }
 
 std::string summary(const Records& records) {
-  const Checks checks = checksOf(records);
-  std::string text = fmt::format("Checks left unknown: **{}** ({:.0f} of {:.0f}).\n\n",
-                                 percent(checks.unknown, checks.all), checks.unknown, checks.all);
+  std::string text =
+      headline("alignments", records, true) + headline("single calls", records, false);
   text +=
       "| kind | suite | tasks | finished | checks unknown | questions / candidates | longest step "
       "/ "

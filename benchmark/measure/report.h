@@ -20,8 +20,8 @@ double shareOfChecksUnknown(const std::vector<Record>& records);
 double growthExponent(const std::vector<Record>& records, const std::string& x,
                       const std::string& y);
 
-/// What the records come to, as a Markdown fragment: the headline share, a table by suite and kind,
-/// the growth exponents.
+/// What the records come to, as a Markdown fragment: the headline shares, a table by suite and
+/// kind, the growth exponents.
 std::string summary(const std::vector<Record>& records);
 
 /// Writes plots of growth with objects, operators and candidates into the folder, which is made:

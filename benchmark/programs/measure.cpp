@@ -26,7 +26,7 @@ struct Arguments {
   std::vector<std::string> generated;
   std::vector<std::string> kinds;
   std::string only;
-  std::string policy = "auto";
+  benchmarks::DialogueOptions dialogue;
   std::uint64_t seed = 1;
   benchmarks::MeasureLimits limits;
   std::string csv;
@@ -49,11 +49,11 @@ Jobs chosen(const Arguments& arguments) {
   Jobs jobs;
   if (has(generated, "calls")) add(benchmarks::familyCalls(arguments.seed), jobs);
   if (has(generated, "alignments"))
-    add(benchmarks::familyAlignments(arguments.seed, arguments.policy), jobs);
+    add(benchmarks::familyAlignments(arguments.seed, arguments.dialogue), jobs);
   if (has(generated, "growth"))
-    add(benchmarks::householdGrowth(arguments.seed, arguments.policy), jobs);
+    add(benchmarks::householdGrowth(arguments.seed, arguments.dialogue), jobs);
   for (const std::string& path : arguments.paths)
-    add(benchmarks::jobsBelow(path, arguments.policy), jobs);
+    add(benchmarks::jobsBelow(path, arguments.dialogue), jobs);
   const auto unwanted = [&](const Job& job) {
     return (!arguments.kinds.empty() && !has(arguments.kinds, job.kind)) ||
            job.task.find(arguments.only) == std::string::npos;
@@ -113,6 +113,7 @@ void measure(const Arguments& arguments) {
 int main(int argc, char** argv) {
   CLI::App app("Measures planning calls and alignments, each in a process of its own.");
   Arguments arguments;
+  bool full = false;
   app.add_option("PATH", arguments.paths,
                  "folders of planning tasks and of alignments; none: generated ones");
   app.add_option("--generated", arguments.generated, "these of the generated ones, too")
@@ -120,7 +121,8 @@ int main(int argc, char** argv) {
   app.add_option("--kind", arguments.kinds, "only these kinds")
       ->check(CLI::IsMember({"first", "optimal", "align"}));
   app.add_option("--only", arguments.only, "only tasks whose name contains this");
-  app.add_option("--policy", arguments.policy, "of the alignments");
+  app.add_option("--policy", arguments.dialogue.policy, "of the alignments");
+  app.add_flag("--full", full, "find all conflicts before the first question");
   app.add_option("--seed", arguments.seed, "of the generated tasks");
   app.add_option("--time-limit", arguments.limits.seconds, "seconds a task")
       ->check(CLI::PositiveNumber);
@@ -131,6 +133,7 @@ int main(int argc, char** argv) {
   app.add_option("--report", arguments.report,
                  "folder whose subfolder `performance` gets tables, plots and the summary");
   CLI11_PARSE(app, argc, argv);
+  if (full) arguments.dialogue.conflicts = goal_alignment::session::ConflictMode::Full;
   try {
     measure(arguments);
     return 0;

@@ -29,7 +29,7 @@ class Folders : public testing::Test {
   }
   std::vector<std::string> statuses(const std::string& kind) const {
     std::vector<std::string> result;
-    for (const Job& job : jobsBelow(root_.string(), "auto")) {
+    for (const Job& job : jobsBelow(root_.string(), {})) {
       if (job.kind != kind) continue;
       const Record record = run(job, {});
       result.push_back(job.suite + " " + job.task + " " + record.text("status") +
@@ -58,7 +58,7 @@ TEST_F(Folders, holdProblemsBesideTheirDomains) {
 TEST_F(Folders, holdAlignments) {
   RandomSource random(1);
   write(alignmentOf(crates(3, random), {}, {}, random), (root_ / "aligned").string());
-  const auto jobs = jobsBelow(root_.string(), "auto");
+  const auto jobs = jobsBelow(root_.string(), {});
   ASSERT_EQ(jobs.size(), 1U);
   const Record record = run(jobs.front(), {});
   EXPECT_EQ(record.text("status"), "plan_found") << record.text("error");
@@ -68,8 +68,8 @@ TEST_F(Folders, holdAlignments) {
 
 TEST_F(Folders, withoutATaskAreRefused) {
   put("readme.txt", "");
-  EXPECT_THROW(jobsBelow(root_.string(), "auto"), pddl::InputError);
-  EXPECT_THROW(jobsBelow((root_ / "none").string(), "auto"), pddl::InputError);
+  EXPECT_THROW(jobsBelow(root_.string(), {}), pddl::InputError);
+  EXPECT_THROW(jobsBelow((root_ / "none").string(), {}), pddl::InputError);
 }
 
 TEST_F(Folders, withABrokenTaskSaySo) {
@@ -81,8 +81,7 @@ TEST_F(Folders, withABrokenTaskSaySo) {
 }
 
 TEST(GeneratedJobs, haveNamesOfTheirOwn) {
-  for (const auto& jobs :
-       {familyCalls(1), familyAlignments(1, "auto"), householdGrowth(1, "auto")}) {
+  for (const auto& jobs : {familyCalls(1), familyAlignments(1, {}), householdGrowth(1, {})}) {
     std::vector<std::string> names;
     for (const Job& job : jobs)
       names.push_back(job.kind + " " + job.task);
