@@ -123,9 +123,10 @@ void beliefs(benchmark::State& state) {
   const alignment::Problem problem = alignment::makeProblem(
       pddl::readModel(input.robot_domain, input.robot_problem),
       pddl::readModel(input.human_domain, input.human_problem), {}, input.human_plan);
-  constexpr std::uint64_t kStatesPerSearch = 10'000;
+  alignment::CostOptions options;
+  options.states_per_search = 10'000;
   for ([[maybe_unused]] auto iteration : state)
-    benchmark::DoNotOptimize(alignment::costDifferences(problem, true, {}, kStatesPerSearch));
+    benchmark::DoNotOptimize(alignment::costDifferences(problem, options, {}));
   state.counters["candidates"] = static_cast<double>(problem.candidates.size());
 }
 

@@ -9,6 +9,7 @@
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/search/astar.h"
 #include "goal_alignment/search/greedy.h"
+#include "goal_alignment/search/successor_generator.h"
 #include "goal_alignment/validation/execution.h"
 #include "stopwatch.h"
 
@@ -39,9 +40,11 @@ void solve(const grounding::GroundTask& ground, const std::vector<Literal>& goal
   const bool excluded = mutexes.contains(*facts);
   call.mutexes = watch.lap();
   if (excluded) return;
-  const search::SuccessorGenerator successors(task);
-  call.result = kind == CallKind::Optimal ? search::astar(task, successors, *facts, limits)
-                                          : search::greedy(task, successors, *facts, limits);
+  if (kind == CallKind::Optimal) {
+    call.result = search::astar(task, *facts, limits);
+  } else {
+    call.result = search::greedy(task, search::SuccessorGenerator(task), *facts, limits);
+  }
   call.search = watch.lap();
   call.plan = task::names(task, call.result.plan);
 }

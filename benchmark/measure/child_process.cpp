@@ -32,11 +32,18 @@ void writeAll(int pipe_end, const std::string& text) {
   }
 }
 
+// A sanitizer's shadow takes more address space than any limit leaves.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kAddressSpaceIsOurs = false;
+#else
+constexpr bool kAddressSpaceIsOurs = true;
+#endif
+
 [[noreturn]] void beChild(const std::function<void(Record&, const Save&)>& work,
                           const HardLimits& limits, int out) {
   const rlim_t bytes = static_cast<rlim_t>(limits.mebibytes) << 20U;
   const rlimit memory = {bytes, bytes};
-  ::setrlimit(RLIMIT_AS, &memory);
+  if (kAddressSpaceIsOurs) ::setrlimit(RLIMIT_AS, &memory);
   const rlimit no_core = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
   Record record;

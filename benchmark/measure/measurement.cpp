@@ -78,6 +78,7 @@ void measureAlignment(const AlignmentWork& work, const MeasureLimits& limits, Re
   session::Options options;
   options.policy = work.dialogue.policy;
   options.conflicts = work.dialogue.conflicts;
+  options.threads = work.dialogue.threads;
   options.time_limit = limits.seconds;
   options.memory_limit = limits.mebibytes << 20U;
   const std::set<Literal> wanted(work.true_goal.begin(), work.true_goal.end());

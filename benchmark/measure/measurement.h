@@ -32,6 +32,7 @@ void measureCall(const pddl::Source& domain, const pddl::Source& problem, CallKi
 struct DialogueOptions {
   std::string policy = "auto";
   session::ConflictMode conflicts = session::ConflictMode::Lazy;
+  int threads = 1;
 };
 
 struct AlignmentWork {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -84,14 +85,22 @@ std::vector<Record> measured(const Jobs& jobs, bool alignments,
   return records;
 }
 
-void writeReport(const std::string& folder, const std::vector<Record>& calls,
+std::string conditions(const Arguments& arguments) {
+  std::ostringstream text;
+  text << "Limits: " << arguments.limits.seconds << " s and " << arguments.limits.mebibytes
+       << " MiB a task; seed " << arguments.seed << "; policy " << arguments.dialogue.policy
+       << ".\n\n";
+  return text.str();
+}
+
+void writeReport(const Arguments& arguments, const std::vector<Record>& calls,
                  const std::vector<Record>& alignments, const std::vector<Record>& all) {
-  const std::filesystem::path base = std::filesystem::path(folder) / "performance";
+  const std::filesystem::path base = std::filesystem::path(arguments.report) / "performance";
   benchmarks::writePlots(all, base.string());
   if (!calls.empty()) benchmarks::writeCsv(calls, (base / "calls.csv").string());
   if (!alignments.empty()) benchmarks::writeCsv(alignments, (base / "alignments.csv").string());
   std::ofstream out(base / "summary.md");
-  out << benchmarks::summary(all);
+  out << conditions(arguments) << benchmarks::summary(all);
   if (!out.flush())
     throw goal_alignment::pddl::InputError((base / "summary.md").string(), {}, "can't write here");
 }
@@ -102,10 +111,10 @@ void measure(const Arguments& arguments) {
   const std::vector<Record> alignments = measured(jobs, true, arguments.limits);
   std::vector<Record> all = calls;
   all.insert(all.end(), alignments.begin(), alignments.end());
-  std::cout << '\n' << benchmarks::summary(all);
+  std::cout << '\n' << conditions(arguments) << benchmarks::summary(all);
   if (!arguments.csv.empty()) benchmarks::writeCsv(all, arguments.csv);
   if (!arguments.plots.empty()) benchmarks::writePlots(all, arguments.plots);
-  if (!arguments.report.empty()) writeReport(arguments.report, calls, alignments, all);
+  if (!arguments.report.empty()) writeReport(arguments, calls, alignments, all);
 }
 
 }  // namespace
@@ -123,6 +132,8 @@ int main(int argc, char** argv) {
   app.add_option("--only", arguments.only, "only tasks whose name contains this");
   app.add_option("--policy", arguments.dialogue.policy, "of the alignments");
   app.add_flag("--full", full, "find all conflicts before the first question");
+  app.add_option("--threads", arguments.dialogue.threads, "of an alignment")
+      ->check(CLI::PositiveNumber);
   app.add_option("--seed", arguments.seed, "of the generated tasks");
   app.add_option("--time-limit", arguments.limits.seconds, "seconds a task")
       ->check(CLI::PositiveNumber);
