@@ -24,6 +24,10 @@ namespace {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
+double secondsOf(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
+}
+
 void writeAll(int pipe_end, const std::string& text) {
   for (std::size_t written = 0; written < text.size();) {
     const ssize_t count = ::write(pipe_end, text.data() + written, text.size() - written);
@@ -108,6 +112,7 @@ Record runInChild(const std::function<void(Record&, const Save&)>& work, const H
   } else if (WIFSIGNALED(ending)) {
     record.set("status", "crashed: signal " + std::to_string(WTERMSIG(ending)));
   }
+  record.set("cpu", secondsOf(usage.ru_utime) + secondsOf(usage.ru_stime));
   record.set("peak_mib", static_cast<double>(usage.ru_maxrss) / 1024);
   return record;
 }
