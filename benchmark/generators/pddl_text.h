@@ -42,9 +42,9 @@ struct DomainParts {
   /// Whether `type` is `of` or below it.
   bool isA(const std::string& type, const std::string& of) const;
   /// Null where there is none.
-  const PredicateParts* predicate(const std::string& name) const;
+  const PredicateParts* predicate(const std::string& wanted) const;
   /// Throws std::out_of_range.
-  ActionParts& action(const std::string& name);
+  ActionParts& action(const std::string& wanted);
 };
 
 struct ProblemParts {

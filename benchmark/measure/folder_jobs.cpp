@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <map>
 
+#include <fmt/format.h>
+
 #include "goal_alignment/cli/instance.h"
 #include "goal_alignment/pddl/exceptions.h"
 #include "goal_alignment/pddl/parser.h"
@@ -80,7 +82,9 @@ std::vector<Job> jobsBelow(const std::string& path, const DialogueOptions& dialo
       const Path domain = isDomain(problem) ? Path() : domainOf(problem);
       if (domain.empty()) continue;
       const std::string stem = problem.stem().string();
-      const std::string task = stem == "problem" ? name : name == "." ? stem : name + "/" + stem;
+      const std::string task = stem == "problem" ? name
+                               : name == "."     ? stem
+                                                 : fmt::format("{}/{}", name, stem);
       jobs.push_back(callJob(suite, task, domain, problem, CallKind::First));
       jobs.push_back(callJob(suite, task, domain, problem, CallKind::Optimal));
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 
+#include <fmt/format.h>
+
 #include "generators/alignment_instance.h"
 #include "jobs.h"
 
@@ -63,7 +65,7 @@ std::vector<Job> familyAlignments(std::uint64_t seed, const DialogueOptions& dia
                   record, save);
           };
           jobs.push_back({family.name,
-                          numbered(family.name + "-", size) + "-" + differences + "-" + truth,
+                          fmt::format("{}-{}-{}-{}", family.name, size, differences, truth),
                           "align", work});
         }
       }

@@ -3,6 +3,8 @@
 #include <fstream>
 #include <map>
 
+#include <fmt/format.h>
+
 #include "goal_alignment/pddl/exceptions.h"
 #include "report.h"
 #include "svg_plot.h"
@@ -32,6 +34,7 @@ std::vector<Series> bySuite(const Records& records, const std::string& kind, con
     own.points.emplace_back(record.number(x), record.number("total"));
   }
   std::vector<Series> all;
+  all.reserve(series.size());
   for (auto& [suite, own] : series)
     all.push_back(std::move(own));
   return all;
@@ -58,14 +61,15 @@ void writePlots(const Records& records, const std::string& folder) {
   std::filesystem::create_directories(base);
   for (const std::string x : {"objects", "operators", "candidates"}) {
     for (const std::string kind : {"first", "optimal"}) {
-      writePlot({kind + " plan: time by " + x, x, "seconds", bySuite(records, kind, x), true},
-                base / ("calls_" + kind + "_" + x + ".svg"));
+      writePlot({fmt::format("{} plan: time by {}", kind, x), x, "seconds",
+                 bySuite(records, kind, x), true},
+                base / (fmt::format("calls_{}_{}.svg", kind, x)));
     }
     writePlot({"alignment: time by " + x, x, "seconds", bySuite(records, "align", x), false},
-              base / ("alignments_" + x + ".svg"));
-    writePlot(
-        {"alignment: time as only the " + x + " grow", x, "seconds", byPhase(records, x), true},
-        base / ("growth_" + x + ".svg"));
+              base / (fmt::format("alignments_{}.svg", x)));
+    writePlot({fmt::format("alignment: time as only the {} grow", x), x, "seconds",
+               byPhase(records, x), true},
+              base / (fmt::format("growth_{}.svg", x)));
   }
 }
 

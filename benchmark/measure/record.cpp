@@ -57,10 +57,10 @@ void Record::set(const std::string& name, std::size_t value) {
 }
 
 const std::string& Record::text(const std::string& name) const {
-  static const std::string none;
+  static const std::string kNone;
   const auto known = std::find_if(fields_.begin(), fields_.end(),
                                   [&](const auto& field) { return field.first == name; });
-  return known == fields_.end() ? none : known->second;
+  return known == fields_.end() ? kNone : known->second;
 }
 
 double Record::number(const std::string& name) const {

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 namespace goal_alignment::benchmarks {
 namespace {
@@ -19,12 +20,6 @@ constexpr double kBottom = 60;
 // Told apart by colour-blind readers too (Okabe and Ito).
 constexpr std::array<const char*, 8> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                  "#e69f00", "#56b4e9", "#000000", "#8c6d31"};
-
-std::string number(double value, const char* format = "%.1f") {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -41,13 +36,18 @@ std::string escaped(const std::string& text) {
 }
 
 std::string label(double x, double y, const std::string& text, const std::string& attributes) {
-  return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" " + attributes + ">" +
-         escaped(text) + "</text>\n";
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes,
+                     escaped(text));
 }
 
-std::string line(double x1, double y1, double x2, double y2, const std::string& colour) {
-  return "<line x1=\"" + number(x1) + "\" y1=\"" + number(y1) + "\" x2=\"" + number(x2) +
-         "\" y2=\"" + number(y2) + "\" stroke=\"" + colour + "\"/>\n";
+std::string line(double x1, double y1, double x2, double y2) {
+  return fmt::format(
+      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#dddddd\"/>\n", x1,
+      y1, x2, y2);
+}
+
+std::string dot(double x, double y, const std::string& colour) {
+  return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n", x, y, colour);
 }
 
 // Whole decades around the values, onto a stretch of the page.
@@ -73,21 +73,20 @@ class Axis {
 };
 
 std::string tick(int decade) {
-  if (decade >= -3 && decade <= 4)
-    return number(std::pow(10, decade), decade < 0 ? "%.3g" : "%.0f");
-  return "1e" + std::to_string(decade);
+  if (decade < -3 || decade > 4) return fmt::format("1e{}", decade);
+  return fmt::format("{:.{}f}", std::pow(10, decade), std::max(0, -decade));
 }
 
 std::string grid(const Axis& x, const Axis& y) {
   std::string text;
   for (int decade = x.first(); decade <= x.last(); ++decade) {
     const double at = x.at(std::pow(10, decade));
-    text += line(at, kTop, at, kHeight - kBottom, "#dddddd");
+    text += line(at, kTop, at, kHeight - kBottom);
     text += label(at, kHeight - kBottom + 18, tick(decade), "text-anchor=\"middle\"");
   }
   for (int decade = y.first(); decade <= y.last(); ++decade) {
     const double at = y.at(std::pow(10, decade));
-    text += line(kLeft, at, kWidth - kRight, at, "#dddddd");
+    text += line(kLeft, at, kWidth - kRight, at);
     text += label(kLeft - 8, at + 4, tick(decade), "text-anchor=\"end\"");
   }
   return text;
@@ -98,15 +97,13 @@ std::string drawn(const Series& series, const Axis& x, const Axis& y, bool lines
   std::string path;
   std::string dots;
   for (const auto& [px, py] : series.points) {
-    const std::string at_x = number(x.at(px));
-    const std::string at_y = number(y.at(py));
-    path.append(path.empty() ? "" : " ").append(at_x).append(",").append(at_y);
-    dots.append("<circle cx=\"" + at_x + "\" cy=\"" + at_y + "\" r=\"3.5\" fill=\"" + colour +
-                "\"/>\n");
+    path += fmt::format("{}{:.1f},{:.1f}", path.empty() ? "" : " ", x.at(px), y.at(py));
+    dots += dot(x.at(px), y.at(py), colour);
   }
   if (!lines) return dots;
-  return "<polyline fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"1.5\" points=\"" + path +
-         "\"/>\n" + dots;
+  return fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" points=\"{}\"/>\n",
+                     colour, path) +
+         dots;
 }
 
 // Without what a logarithm can't show; in the order of x.
@@ -137,22 +134,21 @@ std::string svg(const Plot& plot) {
   const Axis x(xs, kLeft, kWidth - kRight);
   const Axis y(ys, kHeight - kBottom, kTop);
   const double middle = (kLeft + kWidth - kRight) / 2;
-  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(kWidth) +
-                     " " + number(kHeight) +
-                     "\" font-family=\"sans-serif\" font-size=\"13\">\n"
-                     "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" "
+      "font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+      kWidth, kHeight);
   text += grid(x, y);
   text += label(middle, 22, plot.title, "text-anchor=\"middle\" font-size=\"15\"");
   text += label(middle, kHeight - 16, plot.x_label, "text-anchor=\"middle\"");
   text += label(0, 0, plot.y_label,
-                "text-anchor=\"middle\" transform=\"translate(20 " +
-                    number((kTop + kHeight - kBottom) / 2) + ") rotate(-90)\"");
+                fmt::format("text-anchor=\"middle\" transform=\"translate(20 {}) rotate(-90)\"",
+                            (kTop + kHeight - kBottom) / 2));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string colour = kColours[i % kColours.size()];
     text += drawn(all[i], x, y, plot.lines, colour);
     const double row = kTop + 10 + 20 * static_cast<double>(i);
-    text += "<circle cx=\"" + number(kWidth - kRight + 20) + "\" cy=\"" + number(row) +
-            "\" r=\"4\" fill=\"" + colour + "\"/>\n";
+    text += dot(kWidth - kRight + 20, row, colour);
     text += label(kWidth - kRight + 32, row + 4, all[i].name, "");
   }
   return text + "</svg>\n";
