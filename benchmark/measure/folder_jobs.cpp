@@ -62,17 +62,18 @@ std::vector<Job> jobsBelow(const std::string& path, const DialogueOptions& dialo
   std::error_code error;
   if (!std::filesystem::is_directory(path, error))
     throw pddl::InputError(path, {}, "expected a folder");
+  const Path base = std::filesystem::canonical(path);
   std::map<Path, std::vector<Path>> texts;  // by folder
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(base)) {
     if (entry.path().extension() == ".pddl") texts[entry.path().parent_path()].push_back(entry);
   }
   std::vector<Job> jobs;
   for (auto& [folder, files] : texts) {
-    const std::string name = folder.lexically_relative(path).generic_string();
+    const std::string below = folder.lexically_relative(base).generic_string();
+    const std::string root = base.filename().string();
     const std::string suite =
-        name.find('/') == std::string::npos
-            ? std::filesystem::absolute(path).lexically_normal().filename().string()
-            : name.substr(0, name.find('/'));
+        below.find('/') == std::string::npos ? root : below.substr(0, below.find('/'));
+    const std::string name = below == "." ? root : below;
     if (std::filesystem::exists(folder / "robot_domain.pddl")) {
       jobs.push_back(alignmentJob(suite, name, folder, dialogue));
       continue;
@@ -82,9 +83,7 @@ std::vector<Job> jobsBelow(const std::string& path, const DialogueOptions& dialo
       const Path domain = isDomain(problem) ? Path() : domainOf(problem);
       if (domain.empty()) continue;
       const std::string stem = problem.stem().string();
-      const std::string task = stem == "problem" ? name
-                               : name == "."     ? stem
-                                                 : fmt::format("{}/{}", name, stem);
+      const std::string task = stem == "problem" ? name : fmt::format("{}/{}", name, stem);
       jobs.push_back(callJob(suite, task, domain, problem, CallKind::First));
       jobs.push_back(callJob(suite, task, domain, problem, CallKind::Optimal));
     }

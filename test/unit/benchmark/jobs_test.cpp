@@ -60,6 +60,8 @@ TEST_F(Folders, holdAlignments) {
   write(alignmentOf(crates(3, random), {}, {}, random), (root_ / "aligned").string());
   const auto jobs = jobsBelow(root_.string(), {});
   ASSERT_EQ(jobs.size(), 1U);
+  EXPECT_EQ(jobs.front().task, "aligned");
+  EXPECT_EQ(jobsBelow((root_ / "aligned/").string(), {}).front().task, "aligned");
   const Record record = run(jobs.front(), {});
   EXPECT_EQ(record.text("status"), "plan_found") << record.text("error");
   EXPECT_GT(record.number("operators"), 0);
