@@ -8,8 +8,8 @@
 #include <future>
 #include <thread>
 
+#include "generators/dialogue_tasks.h"
 #include "goal_alignment/common/random_source.h"
-#include "hard_tasks.h"
 
 namespace goal_alignment::benchmarks {
 namespace {
@@ -50,19 +50,19 @@ void cancelAnywhere(benchmark::State& state, const session::Input& input, bool o
 }
 
 // Each spread over so many seconds from the beginning that most fall into the phase named.
-BENCHMARK_CAPTURE(cancelAnywhere, reading, longText(60'000), false, 0.6)
+BENCHMARK_CAPTURE(cancelAnywhere, reading, longText(200'000), false, 0.6)
     ->UseManualTime()
     ->Iterations(30)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(cancelAnywhere, grounding, wideAction(60), false, 1.5)
+BENCHMARK_CAPTURE(cancelAnywhere, grounding, wideAction(32), false, 1.5)
     ->UseManualTime()
     ->Iterations(30)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(cancelAnywhere, analysing, tooFewPegs(30), false, 3.0)
+BENCHMARK_CAPTURE(cancelAnywhere, analysing, pigeons(15), false, 3.0)
     ->UseManualTime()
     ->Iterations(30)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(cancelAnywhere, planning, turnedTower(40), true, 3.0)
+BENCHMARK_CAPTURE(cancelAnywhere, planning, carriedBalls(24), true, 3.0)
     ->UseManualTime()
     ->Iterations(30)
     ->Unit(benchmark::kMillisecond);

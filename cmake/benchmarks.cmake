@@ -4,5 +4,14 @@ find_package(benchmark REQUIRED)
 
 file(GLOB benchmark_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/benchmark/*.cpp)
 add_executable(goal_alignment_benchmarks EXCLUDE_FROM_ALL ${benchmark_sources})
-target_compile_options(goal_alignment_benchmarks PRIVATE -Wall -Wextra -Wshadow)
-target_link_libraries(goal_alignment_benchmarks PRIVATE goal_alignment_core benchmark::benchmark)
+target_link_libraries(goal_alignment_benchmarks PRIVATE
+  goal_alignment_generators benchmark::benchmark)
+
+add_executable(goal_alignment_measure EXCLUDE_FROM_ALL benchmark/programs/measure.cpp)
+target_link_libraries(goal_alignment_measure PRIVATE goal_alignment_measuring)
+add_executable(goal_alignment_generate EXCLUDE_FROM_ALL benchmark/programs/generate.cpp)
+target_link_libraries(goal_alignment_generate PRIVATE goal_alignment_generators)
+
+foreach(target benchmarks measure generate)
+  target_compile_options(goal_alignment_${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
+endforeach()

@@ -17,7 +17,7 @@ add_executable(goal_alignment_scenarios EXCLUDE_FROM_ALL ${scenario_sources})
 goal_alignment_ros_target(goal_alignment_scenarios)
 target_compile_definitions(goal_alignment_scenarios PRIVATE
   NODE_FOLDER="${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION}")
-target_link_libraries(goal_alignment_scenarios ${catkin_LIBRARIES} GTest::gtest util)
+target_link_libraries(goal_alignment_scenarios goal_alignment_generators ${catkin_LIBRARIES} GTest::gtest util)
 # Read once, not for every scenario: most of the build's time would go into ROS's headers.
 target_precompile_headers(goal_alignment_scenarios PRIVATE ${PROJECT_SOURCE_DIR}/test/ros/scenario.h)
 add_dependencies(tests goal_alignment_scenarios)

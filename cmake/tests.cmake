@@ -12,7 +12,7 @@ add_executable(goal_alignment_unit_tests EXCLUDE_FROM_ALL ${unit_tests})
 target_include_directories(goal_alignment_unit_tests PRIVATE
   ${PROJECT_SOURCE_DIR}/test ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(goal_alignment_unit_tests PRIVATE -Wall -Wextra -Wshadow)
-target_link_libraries(goal_alignment_unit_tests PRIVATE goal_alignment_core fmt::fmt yaml-cpp
+target_link_libraries(goal_alignment_unit_tests PRIVATE goal_alignment_measuring fmt::fmt yaml-cpp
   nlohmann_json::nlohmann_json rapidcheck GTest::gtest GTest::gtest_main)
 
 target_precompile_headers(goal_alignment_unit_tests PRIVATE <gtest/gtest.h> <rapidcheck/gtest.h>)

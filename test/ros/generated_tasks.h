@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scenario.h"
+#include "goal_alignment/AlignGoal.h"
 
 /// Tasks whose models are generated texts: as many questions, or as much work, as a scenario needs.
+/// The texts are those of benchmark/generators/dialogue_tasks.h.
 namespace goal_alignment::test {
 
 /// Like sweepBothRooms() with so many rooms, each of which is asked about.
 AlignGoal sweepRooms(int rooms);
+
+/// A few guests are no work, twelve take seconds, kManyGuests the better part of a minute, all of
+/// it within one step.
+AlignGoal seatGuests(int guests);
+
+constexpr int kManyGuests = 150;
 
 /// Models of many megabytes; nothing about them is hard.
 AlignGoal longToRead();

@@ -11,7 +11,6 @@
 
 #include "aligner_calls.h"
 #include "generated_tasks.h"
-#include "guests.h"
 
 namespace goal_alignment::test {
 namespace {
