@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "goal_alignment/common/exceptions.h"
+
 namespace goal_alignment::grounding {
 
 namespace {
@@ -50,8 +52,11 @@ AtomIndex::ByPositions* AtomIndex::indexOver(std::size_t predicate, Positions po
   if (indices.size() == kMostIndices) return best;
   indices.push_back(std::make_unique<ByPositions>());
   indices.back()->positions = positions;
-  for (const AtomId id : all_[predicate])
+  for (const AtomId id : all_[predicate]) {
+    const LimitReason limit = monitor_.poll();
+    if (limit != LimitReason::None) throw LimitReached(limit, "grounding");
     enter(*indices.back(), id);
+  }
   return indices.back().get();
 }
 

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "goal_alignment/common/limits.h"
 #include "goal_alignment/grounding/relaxed_reachability.h"
 #include "goal_alignment/pddl/model.h"
 
@@ -19,8 +20,8 @@ constexpr pddl::ObjectId kUnbound = -1;
 class AtomIndex {
  public:
   /// `atoms` may grow; what is not inserted is not seen. Must outlive the index.
-  AtomIndex(const std::vector<pddl::Atom>& atoms, std::size_t predicates)
-      : atoms_(atoms), all_(predicates), by_positions_(predicates) {}
+  AtomIndex(const std::vector<pddl::Atom>& atoms, std::size_t predicates, const Limits& limits)
+      : atoms_(atoms), monitor_(limits), all_(predicates), by_positions_(predicates) {}
 
   void insert(AtomId id);
 
@@ -30,7 +31,8 @@ class AtomIndex {
 
   /// The atoms that match the lifted atom under the binding: exactly those, but for terms that
   /// occur twice unbound, more than 64 arguments, or more indices than a predicate may have.
-  /// Valid until the next insert(). O(arguments).
+  /// Valid until the next insert(). O(arguments); O(atoms of the predicate) where it builds an
+  /// index. Throws LimitReached.
   const std::vector<AtomId>& matching(const pddl::LiftedAtom& atom,
                                       const std::vector<pddl::ObjectId>& binding);
 
@@ -50,6 +52,7 @@ class AtomIndex {
   void enter(ByPositions& index, AtomId id);
 
   const std::vector<pddl::Atom>& atoms_;
+  LimitMonitor monitor_;
   std::vector<std::vector<AtomId>> all_;
   std::vector<std::vector<std::unique_ptr<ByPositions>>> by_positions_;
   std::vector<AtomId> none_;

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fact_table.h"
 
+#include "goal_alignment/common/exceptions.h"
+
 namespace goal_alignment::grounding {
 
 using task::FactId;
 
 FactTable::FactTable(const pddl::Model& model, const RelaxedReachability& reached,
-                     const std::vector<bool>& changes)
+                     const std::vector<bool>& changes, const Limits& limits)
     : model_(model),
       reached_(reached),
       changes_(changes),
       fact_(reached.atoms.size(), kNoFact),
       complement_(reached.atoms.size(), kNoFact) {
+  LimitMonitor monitor(limits);
   for (AtomId id = 0; id < fact_.size(); ++id) {
+    const LimitReason limit = monitor.poll();
+    if (limit != LimitReason::None) throw LimitReached(limit, "grounding");
     if (changes[id]) fact_[id] = add(id, false);
   }
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
+#include <utility>
 #include <vector>
 
+#include "goal_alignment/common/limits.h"
 #include "goal_alignment/grounding/relaxed_reachability.h"
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/task/task.h"
@@ -24,9 +25,9 @@ struct Decided {
 /// whose negation somebody asks for.
 class FactTable {
  public:
-  /// `changes`: by AtomId. Both must outlive the table.
+  /// `changes`: by AtomId. All but the limits must outlive the table. Throws LimitReached.
   FactTable(const pddl::Model& model, const RelaxedReachability& reached,
-            const std::vector<bool>& changes);
+            const std::vector<bool>& changes, const Limits& limits);
 
   AtomId find(const pddl::Atom& atom) const;
 

@@ -2,6 +2,8 @@
 #include "ground_condition.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "goal_alignment/common/exceptions.h"
@@ -125,9 +127,9 @@ Alternatives ConditionGrounder::ofParts(std::vector<Alternatives> parts, bool co
   Alternatives sum;
   for (Alternatives& part : parts) {
     std::move(part.begin(), part.end(), std::back_inserter(sum));
-    if (sum.size() > 2 * TooManyAlternatives::kMost) sum = disjunction(std::move(sum), {});
+    if (sum.size() > 2 * TooManyAlternatives::kMost) sum = minimal(std::move(sum));
   }
-  return disjunction(std::move(sum), {});
+  return minimal(std::move(sum));
 }
 
 bool ConditionGrounder::contradicts(const FactSet& conjunction) const {
@@ -149,24 +151,28 @@ Alternatives ConditionGrounder::conjunction(const Alternatives& a, const Alterna
       if (!contradicts(both)) product.push_back(std::move(both));
     }
     if (product.size() > 2 * TooManyAlternatives::kMost) {
-      product = disjunction(std::move(product), {});
+      product = minimal(std::move(product));
     }
   }
-  return disjunction(std::move(product), {});
+  return minimal(std::move(product));
 }
 
-Alternatives ConditionGrounder::disjunction(Alternatives a, const Alternatives& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  std::sort(a.begin(), a.end(), [](const FactSet& x, const FactSet& y) {
+Alternatives ConditionGrounder::minimal(Alternatives condition) {
+  std::sort(condition.begin(), condition.end(), [](const FactSet& x, const FactSet& y) {
     return x.size() != y.size() ? x.size() < y.size() : x < y;
   });
-  a.erase(std::unique(a.begin(), a.end()), a.end());
+  condition.erase(std::unique(condition.begin(), condition.end()), condition.end());
   Alternatives minimal;
-  for (FactSet& alternative : a) {
+  std::ptrdiff_t smaller = 0;  // how many of these have fewer facts than the next: others can't be
+  for (FactSet& alternative : condition) {
     pollLimits();
-    const bool implied = std::any_of(minimal.begin(), minimal.end(), [&](const FactSet& smaller) {
-      return std::includes(alternative.begin(), alternative.end(), smaller.begin(), smaller.end());
-    });
+    if (!minimal.empty() && minimal.back().size() < alternative.size()) {
+      smaller = static_cast<std::ptrdiff_t>(minimal.size());
+    }
+    const bool implied =
+        std::any_of(minimal.begin(), minimal.begin() + smaller, [&](const FactSet& other) {
+          return std::includes(alternative.begin(), alternative.end(), other.begin(), other.end());
+        });
     if (!implied) minimal.push_back(std::move(alternative));
     if (minimal.size() > TooManyAlternatives::kMost) throw TooManyAlternatives{};
   }
@@ -177,7 +183,7 @@ Alternatives ConditionGrounder::negation(const FactSet& conjunction) {
   Alternatives result;
   for (const FactId fact : conjunction)
     result.push_back({facts_.addOpposite(fact)});
-  return disjunction(std::move(result), {});
+  return minimal(std::move(result));
 }
 
 }  // namespace goal_alignment::grounding

@@ -38,8 +38,9 @@ class ConditionGrounder {
 
   /// Both conditions; contradictions are left out.
   Alternatives conjunction(const Alternatives& a, const Alternatives& b);
-  /// Either condition; sorts, and leaves out what another alternative implies.
-  Alternatives disjunction(Alternatives a, const Alternatives& b);
+  /// The same, sorted and without alternatives that another one implies. Throws
+  /// TooManyAlternatives where too many are left. O(alternatives²) inclusions at worst.
+  Alternatives minimal(Alternatives condition);
   /// The negation of a conjunction.
   Alternatives negation(const task::FactSet& conjunction);
   bool contradicts(const task::FactSet& conjunction) const;

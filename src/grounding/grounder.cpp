@@ -26,7 +26,7 @@ class TaskBuilder {
   GroundTask build(const std::vector<Literal>& literals) {
     reached_ = relaxedReachability(model_, limits_);
     findChangingAtoms();
-    FactTable facts(model_, reached_, changes_);
+    FactTable facts(model_, reached_, changes_, limits_);
     OperatorBuilder operators(model_, reached_, changes_, facts, options_, limits_);
     for (const Literal& literal : literals) {
       if (!literal.negated) continue;

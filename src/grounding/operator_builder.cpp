@@ -2,6 +2,7 @@
 #include "operator_builder.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -26,6 +27,10 @@ void subtract(FactSet& from, const FactSet& what) {
   from.erase(std::remove_if(from.begin(), from.end(),
                             [&](std::uint32_t element) { return contains(what, element); }),
              from.end());
+}
+
+void append(Alternatives& to, Alternatives from) {
+  std::move(from.begin(), from.end(), std::back_inserter(to));
 }
 
 void insert(FactSet& into, const FactSet& what) {
@@ -119,7 +124,9 @@ Alternatives OperatorBuilder::conditionOf(std::size_t instantiation) {
   bool possible = true;
   const auto conjoin = [&](const std::vector<pddl::LiftedAtom>& atoms, bool negated) {
     for (const pddl::LiftedAtom& atom : atoms) {
-      if (static_cast<std::size_t>(atom.predicate) >= model_.predicates.size()) continue;
+      // The join has seen to what is static, and to the action of a conditional effect.
+      const auto p = static_cast<std::size_t>(atom.predicate);
+      if (p >= model_.predicates.size() || !model_.predicates[p].fluent) continue;
       const Decided decided = facts_.decide(conditions_.atom(atom), negated);
       if (decided.kind == Decided::Kind::False) possible = false;
       if (decided.kind == Decided::Kind::Fact) facts.push_back(decided.fact);
@@ -157,12 +164,11 @@ std::vector<ConditionalEffect> OperatorBuilder::groundEffects(const Group& group
     std::pair<FactSet, FactSet> changed{reachedAtoms(effect.add), reachedAtoms(effect.del)};
     subtract(changed.second, changed.first);
     if (changed.first.empty() && changed.second.empty()) continue;
-    Alternatives& condition = conditions[changed];
-    condition = conditions_.disjunction(std::move(condition), conditionOf(instantiation));
+    append(conditions[changed], conditionOf(instantiation));
   }
   std::vector<ConditionalEffect> effects;
-  for (const auto& [changed, condition] : conditions) {
-    for (const FactSet& alternative : condition)
+  for (auto& [changed, condition] : conditions) {
+    for (const FactSet& alternative : conditions_.minimal(std::move(condition)))
       effects.push_back({alternative, changed.first, changed.second});
   }
   return effects;
@@ -173,12 +179,11 @@ void OperatorBuilder::addGroup(const Group& group) {
   try {
     Alternatives preconditions;
     for (const std::size_t instantiation : group.actions) {
+      pollLimits();
       enter(instantiation);
-      Alternatives condition = conditionOf(instantiation);
-      preconditions = group.actions.size() == 1
-                          ? std::move(condition)
-                          : conditions_.disjunction(std::move(preconditions), condition);
+      append(preconditions, conditionOf(instantiation));
     }
+    if (group.actions.size() > 1) preconditions = conditions_.minimal(std::move(preconditions));
     if (preconditions.empty()) return;
     const std::vector<ConditionalEffect> effects = groundEffects(group);
     enter(group.actions.front());
@@ -261,12 +266,13 @@ void OperatorBuilder::completeComplements() {
 
 bool OperatorBuilder::completeComplements(const Operator& op) {
   const std::size_t before = facts_.facts().size();
+  FactSet deleted = op.del;
+  for (const ConditionalEffect& effect : op.conditional)
+    deleted.insert(deleted.end(), effect.del.begin(), effect.del.end());
+  deleted = task::makeFactSet(std::move(deleted));
   for (const ConditionalEffect& adding : op.conditional) {
     const bool negated = std::any_of(adding.add.begin(), adding.add.end(), [&](AtomId atom) {
-      if (facts_.complement(atom) == kNoFact) return false;
-      return contains(op.del, atom) ||
-             std::any_of(op.conditional.begin(), op.conditional.end(),
-                         [&](const ConditionalEffect& e) { return contains(e.del, atom); });
+      return facts_.complement(atom) != kNoFact && contains(deleted, atom);
     });
     if (!negated) continue;
     for (const task::FactId fact : adding.condition)
@@ -288,15 +294,23 @@ void OperatorBuilder::writeEffects(Operator& op) {
   };
   op.add = to_facts(drafted.add);
   op.del = to_facts(drafted.del);
-  FactSet touched = drafted.add;
-  insert(touched, drafted.del);
-  for (const ConditionalEffect& effect : drafted.conditional) {
+  std::map<AtomId, Touch> touched;  // of the atoms with complements
+  const auto touch = [&](const FactSet& atoms, std::vector<std::size_t> Touch::*by, std::size_t e) {
+    for (const AtomId atom : atoms) {
+      if (facts_.complement(atom) != kNoFact) (touched[atom].*by).push_back(e);
+    }
+  };
+  touch(drafted.add, &Touch::added_by, kAlways);
+  touch(drafted.del, &Touch::deleted_by, kAlways);
+  for (std::size_t e = 0; e < drafted.conditional.size(); ++e) {
+    const ConditionalEffect& effect = drafted.conditional[e];
     op.conditional.push_back({effect.condition, to_facts(effect.add), to_facts(effect.del)});
-    touched.insert(touched.end(), effect.add.begin(), effect.add.end());
-    touched.insert(touched.end(), effect.del.begin(), effect.del.end());
+    touch(effect.add, &Touch::added_by, e);
+    touch(effect.del, &Touch::deleted_by, e);
   }
-  for (const AtomId atom : task::makeFactSet(std::move(touched))) {
-    if (facts_.complement(atom) != kNoFact) writeComplement(atom, drafted, op);
+  for (const auto& [atom, by] : touched) {
+    pollLimits();
+    writeComplement(facts_.complement(atom), by, drafted, op);
   }
   // Effects of one condition become one.
   std::map<FactSet, ConditionalEffect> merged;
@@ -315,25 +329,21 @@ void OperatorBuilder::writeEffects(Operator& op) {
   op.del = task::makeFactSet(std::move(op.del));
 }
 
-void OperatorBuilder::writeComplement(AtomId atom, const Operator& drafted, Operator& op) {
-  const task::FactId complement = facts_.complement(atom);
-  if (contains(drafted.add, atom)) {
-    op.del.push_back(complement);
-    return;
-  }
+void OperatorBuilder::writeComplement(task::FactId complement, const Touch& by,
+                                      const Operator& drafted, Operator& op) {
+  const auto condition_of = [&](std::size_t effect) {
+    return effect == kAlways ? FactSet{} : drafted.conditional[effect].condition;
+  };
+  for (const std::size_t effect : by.added_by)
+    (effect == kAlways ? op.del : op.conditional[effect].del).push_back(complement);
   Alternatives deleted;
-  if (contains(drafted.del, atom)) deleted.emplace_back();
-  Alternatives not_added(1);
-  for (std::size_t i = 0; i < drafted.conditional.size(); ++i) {
-    const ConditionalEffect& effect = drafted.conditional[i];
-    if (contains(effect.del, atom)) deleted.push_back(effect.condition);
-    if (contains(effect.add, atom)) op.conditional[i].del.push_back(complement);
-  }
+  for (const std::size_t effect : by.deleted_by)
+    deleted.push_back(condition_of(effect));
   if (deleted.empty()) return;
   try {
-    for (const ConditionalEffect& effect : drafted.conditional) {
-      if (!contains(effect.add, atom)) continue;
-      not_added = conditions_.conjunction(not_added, conditions_.negation(effect.condition));
+    Alternatives not_added(1);
+    for (const std::size_t effect : by.added_by) {
+      not_added = conditions_.conjunction(not_added, conditions_.negation(condition_of(effect)));
     }
     for (FactSet& condition : conditions_.conjunction(deleted, not_added)) {
       if (!assume(op.precondition, condition)) continue;

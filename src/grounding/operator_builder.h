@@ -34,6 +34,13 @@ class OperatorBuilder {
     std::vector<std::size_t> effects;  // instantiations of its conditional effects
   };
 
+  /// Which conditional effects of an operator, or kAlways, add or delete an atom.
+  struct Touch {
+    std::vector<std::size_t> added_by;
+    std::vector<std::size_t> deleted_by;
+  };
+  static constexpr std::size_t kAlways = static_cast<std::size_t>(-1);
+
   const Rule& ruleOf(std::size_t instantiation) const;
   const pddl::Schema& schemaOf(std::size_t instantiation) const;
   void collectGroups();
@@ -49,7 +56,8 @@ class OperatorBuilder {
   void completeComplements();
   bool completeComplements(const task::Operator& op);
   void writeEffects(task::Operator& op);
-  void writeComplement(AtomId atom, const task::Operator& drafted, task::Operator& op);
+  void writeComplement(task::FactId complement, const Touch& by, const task::Operator& drafted,
+                       task::Operator& op);
   task::Cost cost(std::size_t instantiation) const;
   void account(const task::Operator& op);
   void pollLimits();

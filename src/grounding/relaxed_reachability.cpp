@@ -46,7 +46,7 @@ class Join {
         limits_(limits),
         monitor_(limits),
         predicates_(model.predicates.size() + model.schemas.size()),
-        index_(result_.atoms, predicates_),
+        index_(result_.atoms, predicates_, limits),
         occurrences_(predicates_),
         deletable_(predicates_, false) {
     result_.rules = compileRules(model, limits);
@@ -369,11 +369,14 @@ class Join {
     auto& atoms = result_.atoms;
     if (std::none_of(atoms.begin(), atoms.end(), is_action)) return;
     for (const Atom& atom : atoms) {
+      checkLimits();
       if (is_action(atom)) result_.ids.erase(atom);
     }
     atoms.erase(std::remove_if(atoms.begin(), atoms.end(), is_action), atoms.end());
-    for (AtomId id = 0; id < atoms.size(); ++id)
+    for (AtomId id = 0; id < atoms.size(); ++id) {
+      checkLimits();
       result_.ids.at(atoms[id]) = id;
+    }
   }
 
   const Model& model_;

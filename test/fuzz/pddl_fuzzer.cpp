@@ -4,6 +4,7 @@
 
 #include "goal_alignment/grounding/grounder.h"
 #include "goal_alignment/pddl/model.h"
+#include "goal_alignment/validation/execution.h"
 #include "promise.h"
 #include "targets.h"
 
@@ -40,9 +41,15 @@ void groundShortly(const pddl::Model& model) {
       promise(ground.status(literal).kind != grounding::FactStatus::Kind::Unknown,
               "grounding knows the goal's literals");
     }
+    const bool possible = !ground.goal(goal).alternatives.empty();
+    const validation::Execution nothing_done = validation::execute(model, {}, limits);
+    const bool at_once = validation::unsatisfied(model, nothing_done.finalState(), goal).empty() &&
+                         validation::satisfiesCondition(model, nothing_done.finalState(), limits);
+    promise(possible || !at_once, "a goal that holds at first is possible");
   } catch (const LimitReached&) {
-  } catch (const pddl::SemanticError&) {
-    // A cost without a value shows only now, and stands nowhere in particular.
+  } catch (const pddl::InputError&) {
+    // A cost without a value or too many alternatives show only now, and stand nowhere in
+    // particular.
   }
 }
 
