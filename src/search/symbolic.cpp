@@ -33,11 +33,11 @@ class Symbolic::Implementation {
   Implementation(const task::Task& task, const MutexGroups& groups)
       : task_(task), groups_(groups) {}
 
-  /// Tries the orders in turn, with ever more steps: at most about three times what the best takes.
+  /// Tries the orders in turn, with ever more steps: at most about five times what the best takes.
   LimitReason run(const Limits& limits) {
     try {
       events_ = makeEvents(task_, groups_, limits);
-      const std::vector<GroupOrder> orders = groupOrders(groups_.groups().size(), events_);
+      const std::vector<GroupOrder> orders = groupOrders(groups_.groups().size(), events_, limits);
       std::uint64_t left = limits.states;
       for (std::uint64_t steps = kFirstSteps;; steps *= 4) {
         for (const GroupOrder& order : orders) {

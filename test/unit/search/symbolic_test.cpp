@@ -219,6 +219,30 @@ TEST(Symbolic, SaysWhichLimitEndedIt) {
   EXPECT_TRUE(symbolic.complete());
 }
 
+// Little memory makes it collect amid its work: it ends, or finds the same.
+TEST(Symbolic, FindsTheSameWithLessMemory) {
+  const Task task = samples::Pigeonholes(8, 7).task;
+  const MutexGroups groups = groupsFromInvariants(task, {});
+  Symbolic symbolic(task, groups);
+  ASSERT_EQ(symbolic.run({}), LimitReason::None);
+  int complete = 0;
+  int out_of_memory = 0;
+  for (Limits limits; complete < 3; limits.bytes += 100'000) {
+    if (out_of_memory == 0) limits.bytes = 100'000;
+    Symbolic again(task, groups);
+    const LimitReason reason = again.run(limits);
+    EXPECT_LE(again.bytes(), limits.bytes);
+    ++(reason == LimitReason::None ? complete : out_of_memory);
+    if (reason != LimitReason::None) {
+      EXPECT_EQ(reason, LimitReason::Memory);
+      continue;
+    }
+    EXPECT_EQ(again.stateCount(), symbolic.stateCount());
+    EXPECT_EQ(again.nodeCount(), symbolic.nodeCount());
+  }
+  EXPECT_GT(out_of_memory, 0);
+}
+
 TEST(Symbolic, TheSameStepsEndItAtTheSamePlace) {
   const Task task = samples::Pigeonholes(6, 5).task;
   const MutexGroups groups = groupsFromInvariants(task, {});
