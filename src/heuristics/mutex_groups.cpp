@@ -313,7 +313,7 @@ class InvariantSearch {
 
   /// What operators make out of members may be members too.
   void extend() {
-    for (std::size_t index = 0; index < group_.facts.size(); ++index) {
+    for (std::size_t index = 0; index < group_.facts.size(); ++index) {  // NOLINT: it grows
       const FactId member = group_.facts[index];
       for (const OperatorId id : users_[member]) {
         const Operator& op = task_.operators[id];

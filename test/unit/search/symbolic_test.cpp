@@ -182,6 +182,37 @@ RC_GTEST_PROP(Symbolic, FindsThemDespiteConditionalEffects, ()) {
   checkConflicts(random, task, groupsFromInvariants(task, {}));
 }
 
+// A counter of 14 bits: the only way to its end takes every step, 2^14 - 1 of them.
+TEST(Symbolic, FindsALongWay) {
+  Task task;
+  constexpr FactId kBits = 14;
+  task.facts.resize(2 * kBits);  // 2i: bit i is 0; 2i + 1: it is 1
+  for (FactId bit = 0; bit < kBits; ++bit) {
+    task.initial.push_back(2 * bit);
+    task::Operator count = {{"count", {}}, {2 * bit}, {2 * bit + 1}, {2 * bit}, 1};
+    for (FactId lower = 0; lower < bit; ++lower) {
+      count.precondition.push_back(2 * lower + 1);
+      count.add.push_back(2 * lower);
+      count.del.push_back(2 * lower + 1);
+    }
+    for (FactSet* facts : {&count.precondition, &count.add, &count.del})
+      *facts = task::makeFactSet(*facts);
+    task.operators.push_back(count);
+  }
+  FactSet all_ones;
+  for (FactId bit = 0; bit < kBits; ++bit)
+    all_ones.push_back(2 * bit + 1);
+  const MutexGroups groups = groupsFromInvariants(task, {});
+  Symbolic symbolic(task, groups);
+  ASSERT_EQ(symbolic.run({}), LimitReason::None);
+  const auto plan = symbolic.plan(all_ones, {});
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->size(), (std::size_t{1} << kBits) - 1);
+  EXPECT_TRUE(oracles::holds(all_ones, afterPlan(task, *plan)));
+  EXPECT_FALSE(symbolic.plan(FactSet{0, 1}, {}));
+  EXPECT_FALSE(symbolic.plan(all_ones, Limits{}.withStates(10)));
+}
+
 // Seven pigeons, five holes: every six of them are a conflict.
 TEST(Symbolic, CountsConflictsOut) {
   const samples::Pigeonholes pigeonholes(7, 5);
