@@ -149,7 +149,7 @@ class Cover {
 /// Grows a clique of the mutex graph around the fact, out of `open` facts: always by the fact that
 /// leaves most others to choose from.
 FactSet growClique(FactId seed, const std::vector<std::vector<Word>>& mutex_rows,
-                   std::vector<Word> open) {
+                   std::vector<Word> open, LimitMonitor& monitor) {
   const std::size_t words = open.size();
   FactSet clique = {seed};
   const auto keep = [&](FactId fact) {
@@ -159,6 +159,7 @@ FactSet growClique(FactId seed, const std::vector<std::vector<Word>>& mutex_rows
   };
   keep(seed);
   for (;;) {
+    poll(monitor);
     int most = -1;
     FactId best = 0;
     task::forEachBit(open.data(), words, [&](std::size_t fact) {
@@ -200,19 +201,17 @@ MutexGroups groupsFromPairs(const Task& task, const MutexTable& mutexes, const L
   std::vector<bool> seen(facts, false);
   for (FactId f = 0; f < facts; ++f) {
     if (seen[f]) continue;
-    poll(monitor);
-    FactSet clique = growClique(f, rows, open);
+    FactSet clique = growClique(f, rows, open, monitor);
     for (const FactId member : clique)
       seen[member] = true;
     cover.offer(std::move(clique));
   }
   return {task, cover.take([&](FactSet rest) -> FactSet {
-            poll(monitor);
             if (rest.empty()) return rest;
             for (FactId f = 0; f < facts; ++f) {
               if (cover.covered(f)) task::clearBit(open.data(), f);
             }
-            return growClique(rest.front(), rows, open);
+            return growClique(rest.front(), rows, open, monitor);
           })};
 }
 
@@ -314,7 +313,7 @@ class InvariantSearch {
 
   /// What operators make out of members may be members too.
   void extend() {
-    for (std::size_t index = 0; index < group_.facts.size(); ++index) {
+    for (std::size_t index = 0; index < group_.facts.size(); ++index) {  // NOLINT: it grows
       const FactId member = group_.facts[index];
       for (const OperatorId id : users_[member]) {
         const Operator& op = task_.operators[id];

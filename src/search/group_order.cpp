@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "goal_alignment/common/exceptions.h"
+
 namespace goal_alignment::search {
 
 namespace {
@@ -70,7 +72,9 @@ GroupOrder pulledTogether(GroupOrder order, const GroupSets& sets) {
 
 }  // namespace
 
-std::vector<GroupOrder> groupOrders(std::size_t groups, const std::vector<Event>& events) {
+std::vector<GroupOrder> groupOrders(std::size_t groups, const std::vector<Event>& events,
+                                    const Limits& limits) {
+  LimitMonitor monitor(limits);
   const GroupSets sets = touchedSets(events);
   std::vector<std::size_t> degree(groups, 0);
   for (const auto& set : sets) {
@@ -81,17 +85,20 @@ std::vector<GroupOrder> groupOrders(std::size_t groups, const std::vector<Event>
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](auto a, auto b) { return degree[a] < degree[b]; });
+  const GroupOrder hubs_last = order;
   const GroupOrder hubs_first(order.rbegin(), order.rend());
   GroupOrder close = order;
   double least = span(order, sets);
   for (int round = 0; round < kRounds; ++round) {
+    const LimitReason reason = monitor.poll();
+    if (reason != LimitReason::None) throw LimitReached(reason, "the order of the mutex groups");
     order = pulledTogether(std::move(order), sets);
     const double now = span(order, sets);
     if (now >= least) continue;
     least = now;
     close = order;
   }
-  return {close, hubs_first};
+  return {close, hubs_last, hubs_first};
 }
 
 }  // namespace goal_alignment::search

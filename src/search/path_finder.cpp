@@ -49,35 +49,43 @@ task::Plan PathFinder::path(const Vector& from, const Vector& to) {
 void PathFinder::findBackwards(const Vector& from, Vector to, std::size_t top, task::Plan& plan) {
   for (; from != to; ++top) {
     assert(top < diagram_.levels());
-    if (events_[top].empty()) continue;
-    Frame ring(diagram_, 1);
-    ring[0] = diagram_.single(from);
-    ring[0] = forwards_.close(ring[0], top + 1);
-    to = backToRing(ring[0], to, top, plan);
+    if (!events_[top].empty()) to = backThroughRings(from, to, top, plan);
   }
 }
 
-/// The same back to some state of the ring, which is closed under lower events; that state.
-PathFinder::Vector PathFinder::backToRing(Node ring, const Vector& to, std::size_t top,
-                                          task::Plan& plan) {
-  if (contains(ring, to)) return to;
-  Frame held(diagram_, 3);
-  held[0] = forwards_.after(ring, top);
-  held[1] = diagram_.unite(ring, held[0]);
-  held[1] = forwards_.close(held[1], top + 1);
-  const Vector last = backToRing(held[1], to, top, plan);
-  if (contains(ring, last)) return last;
-  held[2] = diagram_.single(last);
-  held[2] = backwards_.close(held[2], top + 1);
-  held[2] = diagram_.intersect(held[2], held[0]);
-  std::vector<std::vector<Value>> any(diagram_.levels());
+/// The same back to some state that lower events alone lead to; that state.
+PathFinder::Vector PathFinder::backThroughRings(const Vector& from, Vector to, std::size_t top,
+                                                task::Plan& plan) {
+  Frame rings(diagram_, 1);  // each, then what an event of this level makes of it
+  rings[0] = diagram_.single(from);
+  rings[0] = forwards_.close(rings[0], top + 1);
+  std::size_t last = 0;
+  for (; !contains(rings[last], to); last += 2) {
+    rings.push(forwards_.after(rings[last], top));
+    rings.push(diagram_.unite(rings[last], rings[last + 1]));
+    rings[last + 2] = forwards_.close(rings[last + 2], top + 1);
+  }
+  for (; last > 0; last -= 2) {
+    if (contains(rings[last - 2], to)) continue;
+    const Vector entry = entryTo(to, rings[last - 1], top);
+    findBackwards(entry, std::move(to), top + 1, plan);
+    task::OperatorId op = 0;
+    to = before(entry, rings[last - 2], top, op);
+    plan.push_back(op);
+  }
+  return to;
+}
+
+/// One of the entries from which lower events lead to the state.
+PathFinder::Vector PathFinder::entryTo(const Vector& state, Node entries, std::size_t top) {
+  Frame held(diagram_, 1);
+  held[0] = diagram_.single(state);
+  held[0] = backwards_.close(held[0], top + 1);
+  held[0] = diagram_.intersect(held[0], entries);
   Vector entry;
-  pick(held[2], any, entry);
-  findBackwards(entry, last, top + 1, plan);
-  task::OperatorId op = 0;
-  Vector state = before(entry, ring, top, op);
-  plan.push_back(op);
-  return state;
+  pick(held[0], std::vector<std::vector<Value>>(diagram_.levels()), entry);
+  assert(entry.size() == diagram_.levels());
+  return entry;
 }
 
 /// A state of the ring that one event with this topmost level leads from to the given one.

@@ -34,7 +34,8 @@ class PathFinder {
   using Frame = DecisionDiagram::Frame;
 
   void findBackwards(const Vector& from, Vector to, std::size_t top, task::Plan& plan);
-  Vector backToRing(Node ring, const Vector& to, std::size_t top, task::Plan& plan);
+  Vector backThroughRings(const Vector& from, Vector to, std::size_t top, task::Plan& plan);
+  Vector entryTo(const Vector& state, Node entries, std::size_t top);
   Vector before(const Vector& state, Node ring, std::size_t top, task::OperatorId& op) const;
   bool contains(Node set, const Vector& state) const;
   bool pick(Node set, const std::vector<std::vector<Value>>& allowed, Vector& state) const;

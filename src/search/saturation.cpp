@@ -2,8 +2,66 @@
 #include "saturation.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace goal_alignment::search {
+
+namespace {
+
+using Changes = std::vector<LocalChange>;  // of an event, from the last level up
+
+std::vector<Changes> byLevels(const std::vector<Event>& events,
+                              const std::vector<std::uint32_t>& level_of) {
+  std::vector<Changes> result;
+  for (const Event& event : events) {
+    Changes changes = event.changes;
+    for (LocalChange& change : changes)
+      change.group = level_of[change.group];
+    std::sort(changes.begin(), changes.end(),
+              [](const LocalChange& a, const LocalChange& b) { return a.group > b.group; });
+    result.push_back(std::move(changes));
+  }
+  return result;
+}
+
+/// Makes one event of those that differ in nothing but what they do at this level, such as the one
+/// that takes the last token and the one that takes the last but one.
+std::vector<Changes> mergedAt(std::uint32_t level, std::vector<Changes> events) {
+  const auto less = [](const LocalChange& a, const LocalChange& b) {
+    return std::tie(a.group, a.pairs) < std::tie(b.group, b.pairs);
+  };
+  const auto all_less = [&](const Changes& a, const Changes& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less);
+  };
+  std::map<Changes, std::size_t, decltype(all_less)> known(all_less);
+  std::vector<Changes> merged;
+  for (Changes& event : events) {
+    const auto here = std::find_if(event.begin(), event.end(), [&](const LocalChange& change) {
+      return change.group == level;
+    });
+    if (here == event.end()) {
+      merged.push_back(std::move(event));
+      continue;
+    }
+    const auto pairs = std::exchange(here->pairs, {});
+    const auto [at, is_new] = known.try_emplace(event, merged.size());
+    if (is_new) merged.push_back(event);
+    auto& united = merged[at->second][static_cast<std::size_t>(here - event.begin())].pairs;
+    united.insert(united.end(), pairs.begin(), pairs.end());
+  }
+  for (const auto& [event, index] : known) {
+    for (LocalChange& change : merged[index]) {
+      if (change.group != level) continue;
+      std::sort(change.pairs.begin(), change.pairs.end());
+      change.pairs.erase(std::unique(change.pairs.begin(), change.pairs.end()), change.pairs.end());
+    }
+  }
+  return merged;
+}
+
+}  // namespace
 
 Saturation::Saturation(DecisionDiagram& diagram, const std::vector<Event>& events,
                        const std::vector<std::uint32_t>& level_of)
@@ -16,22 +74,25 @@ Saturation::Saturation(DecisionDiagram& diagram, const std::vector<Event>& event
       fire_once_(diagram.newOperation()) {
   for (std::size_t level = 0; level < moves_.size(); ++level)
     moves_[level].resize(diagram.domain(level));
-  for (const Event& event : events) {
-    std::vector<LocalChange> changes = event.changes;
-    for (LocalChange& change : changes)
-      change.group = level_of[change.group];
-    std::sort(changes.begin(), changes.end(),
-              [](const LocalChange& a, const LocalChange& b) { return a.group > b.group; });
+  std::vector<Changes> merged = byLevels(events, level_of);
+  for (std::size_t level = moves_.size(); level-- > 0;) {
+    diagram.step();
+    merged = mergedAt(static_cast<std::uint32_t>(level), std::move(merged));
+  }
+  for (const Changes& changes : merged) {
     Chain rest = kDone;
     for (std::size_t i = 0; i + 1 < changes.size(); ++i)
       rest = link(changes[i].group, changes[i].pairs, rest);
-    for (const auto& [from, to] : changes.back().pairs) {
-      // A move that leaves everything as it was may come of an event with other pairs.
-      if (from == to && rest == kDone) continue;
-      std::vector<Move>& moves = moves_[changes.back().group][from];
-      const auto same = [to = to, rest](const Move& m) { return m.to == to && m.rest == rest; };
-      if (std::none_of(moves.begin(), moves.end(), same)) moves.push_back({to, rest});
-    }
+    addMoves(changes.back(), rest);
+  }
+}
+
+void Saturation::addMoves(const LocalChange& top, Chain rest) {
+  for (const auto& [from, to] : top.pairs) {
+    if (from == to && rest == kDone) continue;  // changes nothing: merged with others that do
+    std::vector<Move>& moves = moves_[top.group][from];
+    const auto same = [to = to, rest](const Move& m) { return m.to == to && m.rest == rest; };
+    if (std::none_of(moves.begin(), moves.end(), same)) moves.push_back({to, rest});
   }
 }
 

@@ -21,7 +21,7 @@ class Saturation {
  public:
   using Node = DecisionDiagram::Node;
 
-  /// `level_of`: by group. The diagram must outlive this.
+  /// `level_of`: by group. The diagram must outlive this. Throws LimitReached.
   Saturation(DecisionDiagram& diagram, const std::vector<Event>& events,
              const std::vector<std::uint32_t>& level_of);
 
@@ -53,6 +53,7 @@ class Saturation {
     Chain rest;
   };
 
+  void addMoves(const LocalChange& top, Chain rest);
   Chain link(std::uint32_t level, const Pairs& pairs, Chain next);
   Node closeBelow(Node set, std::size_t level, std::size_t first);
   Node saturate(Node node, std::size_t level);

@@ -2,6 +2,7 @@
 #include "goal_alignment/search/symbolic.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <unordered_set>
 #include <utility>
@@ -33,11 +34,11 @@ class Symbolic::Implementation {
   Implementation(const task::Task& task, const MutexGroups& groups)
       : task_(task), groups_(groups) {}
 
-  /// Tries the orders in turn, with ever more steps: at most about three times what the best takes.
+  /// Tries the orders in turn, with ever more steps: at most about five times what the best takes.
   LimitReason run(const Limits& limits) {
     try {
       events_ = makeEvents(task_, groups_, limits);
-      const std::vector<GroupOrder> orders = groupOrders(groups_.groups().size(), events_);
+      const std::vector<GroupOrder> orders = groupOrders(groups_.groups().size(), events_, limits);
       std::uint64_t left = limits.states;
       for (std::uint64_t steps = kFirstSteps;; steps *= 4) {
         for (const GroupOrder& order : orders) {
@@ -52,38 +53,7 @@ class Symbolic::Implementation {
     }
   }
 
-  LimitReason attempt(const GroupOrder& order, const Limits& limits) {
-    held_.reset();
-    level_of_.assign(order.size(), 0);
-    std::vector<Value> domains;
-    for (const std::uint32_t group : order) {
-      level_of_[group] = static_cast<std::uint32_t>(domains.size());
-      domains.push_back(groups_.valueCount(group));
-    }
-    diagram_.emplace(std::move(domains));
-    diagram_->limit(limits);
-    try {
-      held_.emplace(*diagram_, 1);
-      Saturation saturation(*diagram_, events_, level_of_);
-      (*held_)[0] = diagram_->single(initial());
-      const Node closed = saturation.close((*held_)[0]);
-      (*held_)[0] = reached_ = closed;
-      return LimitReason::None;
-    } catch (const LimitReached& reached) {
-      held_.reset();
-      diagram_.reset();
-      return reached.reason();
-    }
-  }
-
-  std::vector<Value> initial() const {
-    std::vector<Value> values(level_of_.size());
-    for (std::size_t group = 0; group < level_of_.size(); ++group)
-      values[level_of_[group]] = static_cast<Value>(groups_.groups()[group].size());
-    for (const FactId fact : task_.initial)
-      values[level_of_[groups_.place(fact).group]] = groups_.place(fact).value;
-    return values;
-  }
+  bool complete() const { return reached_ != DecisionDiagram::kEmpty; }
 
   /// Some reachable state with all these facts, by level.
   std::optional<std::vector<Value>> reachedState(const FactSet& facts) const {
@@ -135,12 +105,45 @@ class Symbolic::Implementation {
     return conflicts;
   }
 
-  std::optional<DecisionDiagram> diagram_;
-  std::optional<DecisionDiagram::Frame> held_;
-  std::optional<PathFinder> path_finder_;
-  Node reached_ = DecisionDiagram::kEmpty;
+  double stateCount() const { return diagram_->count(reached_); }
+  std::size_t nodeCount() const { return diagram_->size(reached_); }
+  std::size_t bytes() const { return diagram_ ? diagram_->bytes() : 0; }
 
  private:
+  /// Closes the initial state under the events, with this order of levels.
+  LimitReason attempt(const GroupOrder& order, const Limits& limits) {
+    held_.reset();
+    level_of_.assign(order.size(), 0);
+    std::vector<Value> domains;
+    for (const std::uint32_t group : order) {
+      level_of_[group] = static_cast<std::uint32_t>(domains.size());
+      domains.push_back(groups_.valueCount(group));
+    }
+    diagram_.emplace(std::move(domains));
+    diagram_->limit(limits);
+    try {
+      held_.emplace(*diagram_, 1);
+      Saturation saturation(*diagram_, events_, level_of_);
+      (*held_)[0] = diagram_->single(initial());
+      const Node closed = saturation.close((*held_)[0]);
+      (*held_)[0] = reached_ = closed;
+      return LimitReason::None;
+    } catch (const LimitReached& reached) {
+      held_.reset();
+      diagram_.reset();
+      return reached.reason();
+    }
+  }
+
+  std::vector<Value> initial() const {
+    std::vector<Value> values(level_of_.size());
+    for (std::size_t group = 0; group < level_of_.size(); ++group)
+      values[level_of_[group]] = static_cast<Value>(groups_.groups()[group].size());
+    for (const FactId fact : task_.initial)
+      values[level_of_[groups_.place(fact).group]] = groups_.place(fact).value;
+    return values;
+  }
+
   /// A state seen by which candidate of each group it has, 0 for none; those that don't satisfy the
   /// goal are hidden. Nothing where two facts of the goal are of one group.
   std::optional<std::vector<LevelView>> viewsOf(const std::vector<FactSet>& choices,
@@ -202,6 +205,7 @@ class Symbolic::Implementation {
     }
   }
 
+  /// Goes on from a state down to the node, to one with the wanted values.
   bool meet(Node node, const std::vector<std::optional<Value>>& wanted,
             std::unordered_set<Node>& failed, std::vector<Value>& state) const {
     if (node == DecisionDiagram::kEnd) return true;
@@ -222,12 +226,11 @@ class Symbolic::Implementation {
   const MutexGroups& groups_;
   std::vector<Event> events_;
   std::vector<std::uint32_t> level_of_;  // by group
+  std::optional<DecisionDiagram> diagram_;
+  std::optional<DecisionDiagram::Frame> held_;  // reached_
+  std::optional<PathFinder> path_finder_;
+  Node reached_ = DecisionDiagram::kEmpty;
 };
-
-MinimalConflicts Symbolic::minimalConflicts(const task::Goal& goal, const FactSet& candidates,
-                                            std::size_t most, const Limits& limits) const {
-  return implementation_->minimalConflicts(goal, candidates, most, limits);
-}
 
 Symbolic::Symbolic(const task::Task& task, const MutexGroups& groups)
     : implementation_(std::make_unique<Implementation>(task, groups)) {}
@@ -240,7 +243,7 @@ LimitReason Symbolic::run(const Limits& limits) {
 }
 
 bool Symbolic::complete() const {
-  return implementation_->reached_ != DecisionDiagram::kEmpty;
+  return implementation_->complete();
 }
 
 bool Symbolic::reachable(const task::Goal& goal) const {
@@ -262,16 +265,21 @@ std::optional<task::Plan> Symbolic::plan(const task::Goal& goal, const Limits& l
   return std::nullopt;
 }
 
+MinimalConflicts Symbolic::minimalConflicts(const task::Goal& goal, const FactSet& candidates,
+                                            std::size_t most, const Limits& limits) const {
+  return implementation_->minimalConflicts(goal, candidates, most, limits);
+}
+
 double Symbolic::stateCount() const {
-  return implementation_->diagram_->count(implementation_->reached_);
+  return implementation_->stateCount();
 }
 
 std::size_t Symbolic::nodeCount() const {
-  return implementation_->diagram_->size(implementation_->reached_);
+  return implementation_->nodeCount();
 }
 
 std::size_t Symbolic::bytes() const {
-  return implementation_->diagram_ ? implementation_->diagram_->bytes() : 0;
+  return implementation_->bytes();
 }
 
 }  // namespace goal_alignment::search

@@ -52,6 +52,9 @@ class DecisionDiagram {
     /// Until a frame within this one is opened, the reference stays good.
     Node& operator[](std::size_t slot) { return diagram_.held_[base_ + slot]; }
 
+    /// One slot more, for this node. Only while no frame within this one is open.
+    void push(Node node) { diagram_.held_.push_back(node); }
+
    private:
     DecisionDiagram& diagram_;
     std::size_t base_;

@@ -182,6 +182,37 @@ RC_GTEST_PROP(Symbolic, FindsThemDespiteConditionalEffects, ()) {
   checkConflicts(random, task, groupsFromInvariants(task, {}));
 }
 
+// A counter of 14 bits: the only way to its end takes every step, 2^14 - 1 of them.
+TEST(Symbolic, FindsALongWay) {
+  Task task;
+  constexpr FactId kBits = 14;
+  task.facts.resize(2 * kBits);  // 2i: bit i is 0; 2i + 1: it is 1
+  for (FactId bit = 0; bit < kBits; ++bit) {
+    task.initial.push_back(2 * bit);
+    task::Operator count = {{"count", {}}, {2 * bit}, {2 * bit + 1}, {2 * bit}, 1};
+    for (FactId lower = 0; lower < bit; ++lower) {
+      count.precondition.push_back(2 * lower + 1);
+      count.add.push_back(2 * lower);
+      count.del.push_back(2 * lower + 1);
+    }
+    for (FactSet* facts : {&count.precondition, &count.add, &count.del})
+      *facts = task::makeFactSet(*facts);
+    task.operators.push_back(count);
+  }
+  FactSet all_ones;
+  for (FactId bit = 0; bit < kBits; ++bit)
+    all_ones.push_back(2 * bit + 1);
+  const MutexGroups groups = groupsFromInvariants(task, {});
+  Symbolic symbolic(task, groups);
+  ASSERT_EQ(symbolic.run({}), LimitReason::None);
+  const auto plan = symbolic.plan(all_ones, {});
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->size(), (std::size_t{1} << kBits) - 1);
+  EXPECT_TRUE(oracles::holds(all_ones, afterPlan(task, *plan)));
+  EXPECT_FALSE(symbolic.plan(FactSet{0, 1}, {}));
+  EXPECT_FALSE(symbolic.plan(all_ones, Limits{}.withStates(10)));
+}
+
 // Seven pigeons, five holes: every six of them are a conflict.
 TEST(Symbolic, CountsConflictsOut) {
   const samples::Pigeonholes pigeonholes(7, 5);
@@ -217,6 +248,30 @@ TEST(Symbolic, SaysWhichLimitEndedIt) {
   // What a limit broke off may be tried again.
   EXPECT_EQ(symbolic.run({}), LimitReason::None);
   EXPECT_TRUE(symbolic.complete());
+}
+
+// Little memory makes it collect amid its work: it ends, or finds the same.
+TEST(Symbolic, FindsTheSameWithLessMemory) {
+  const Task task = samples::Pigeonholes(8, 7).task;
+  const MutexGroups groups = groupsFromInvariants(task, {});
+  Symbolic symbolic(task, groups);
+  ASSERT_EQ(symbolic.run({}), LimitReason::None);
+  int complete = 0;
+  int out_of_memory = 0;
+  for (Limits limits; complete < 3; limits.bytes += 100'000) {
+    if (out_of_memory == 0) limits.bytes = 100'000;
+    Symbolic again(task, groups);
+    const LimitReason reason = again.run(limits);
+    EXPECT_LE(again.bytes(), limits.bytes);
+    ++(reason == LimitReason::None ? complete : out_of_memory);
+    if (reason != LimitReason::None) {
+      EXPECT_EQ(reason, LimitReason::Memory);
+      continue;
+    }
+    EXPECT_EQ(again.stateCount(), symbolic.stateCount());
+    EXPECT_EQ(again.nodeCount(), symbolic.nodeCount());
+  }
+  EXPECT_GT(out_of_memory, 0);
 }
 
 TEST(Symbolic, TheSameStepsEndItAtTheSamePlace) {
