@@ -157,23 +157,24 @@ std::optional<Check> Achievability::recall(const CandidateSet& set) const {
 Check Achievability::check(const CandidateSet& set, const Limits& limits) {
   if (const auto known = recall(set)) return *known;
   Check last;
-  if (!exhaustive_tried_) {
+  if (!swept_) {
     if (const auto found = searchGreedily(set, limits.withStates(budget_.first_greedy), last)) {
       return *found;
     }
-    last.limit = exhaust(limits);
+    last.limit = sweep(limits);
     if (const auto known = recall(set)) return *known;
   }
   if (exhaustive_complete_) {
     addUnachievable(set, limits);
     return {Verdict::Unachievable, {}, {}};
   }
+  if (knowsReachable()) return checkReachable(set, limits);
   if (last.limit != LimitReason::Cancelled && last.limit != LimitReason::Time) {
     const Limits second = limits.withStates(budget_.second_greedy);
     if (const auto found = searchGreedily(set, second, last)) return *found;
   }
   // The states of a search are our own budget: with more memory there would be an answer.
-  if (last.limit == LimitReason::States && exhaustive_limit_ == LimitReason::Memory) {
+  if (last.limit == LimitReason::States && sweep_limit_ == LimitReason::Memory) {
     last.limit = LimitReason::Memory;
   }
   last_limit_ = last.limit;
@@ -210,6 +211,10 @@ search::Improved Achievability::improvedPlan(const CandidateSet& set, const task
 Verdict Achievability::reachableAlone(std::size_t candidate, const Limits& limits) {
   if (reached_.test(candidate)) return Verdict::Achievable;
   if (never_true_.test(candidate) || exhaustive_complete_) return Verdict::Unachievable;
+  if (knowsReachable()) {
+    const bool reachable = symbolic_->reachable(FactSet{facts_[candidate]});
+    return reachable ? Verdict::Achievable : Verdict::Unachievable;
+  }
   ++planner_calls_;
   const search::Result result =
       search::greedy(*task_, FactSet{facts_[candidate]}, limits.withStates(budget_.second_greedy));

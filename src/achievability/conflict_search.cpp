@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -11,15 +12,64 @@
 /// unachievable set to a minimal conflict, and the enumeration of all conflicts.
 namespace goal_alignment::achievability {
 
+using task::FactId;
+using task::FactSet;
+
 namespace {
 
 /// Beyond so many maximal sets left to confirm, "complete" would take too long to establish.
 constexpr std::size_t kMostHittingSets = 5000;
+/// Nor can so many conflicts be looked at one by one.
+constexpr std::size_t kMostConflicts = 10'000;
 
 }  // namespace
 
-/// Stage 3: visits every reachable state, keeps the maximal achieved sets. After it every check is
-/// answered from memory.
+/// Stage 3: all reachable states, after which every check is answered without a search. None: that
+/// worked out.
+LimitReason Achievability::sweep(const Limits& limits) {
+  const auto isFinal = [](LimitReason reason) {
+    return reason != LimitReason::States && reason != LimitReason::Memory;
+  };
+  sweep_limit_ = sweepSymbolically(budget_.first_symbolic, limits);
+  if (!isFinal(sweep_limit_)) sweep_limit_ = exhaust(limits);
+  if (!isFinal(sweep_limit_)) sweep_limit_ = sweepSymbolically(budget_.symbolic, limits);
+  // What a person or the clock broke off must end now, and may be tried anew; states and bytes
+  // would end it again.
+  swept_ = sweep_limit_ != LimitReason::Cancelled && sweep_limit_ != LimitReason::Time;
+  return sweep_limit_;
+}
+
+/// The reachable states as a decision diagram. It may hold half of the memory.
+LimitReason Achievability::sweepSymbolically(std::uint64_t steps, const Limits& limits) {
+  ++planner_calls_;
+  Limits own = limits.withStates(steps);
+  own.bytes = limits.bytes / 2;
+  auto symbolic = std::make_unique<search::Symbolic>(task_->task(), task_->groups());
+  const LimitReason reason = symbolic->run(own);
+  if (reason == LimitReason::None) symbolic_ = std::move(symbolic);
+  return reason;
+}
+
+/// With the reachable states at hand a check is a matter of looking; only a plan must be found.
+Check Achievability::checkReachable(const CandidateSet& set, const Limits& limits) {
+  if (!symbolic_->reachable(goalWith(set))) {
+    addUnachievable(set, limits);
+    return {Verdict::Unachievable, {}, {}};
+  }
+  Check last;
+  const Limits second = limits.withStates(budget_.second_greedy);
+  if (const auto found = searchGreedily(set, second, last)) return *found;
+  if (last.limit == LimitReason::States) {
+    if (const auto plan = symbolic_->plan(goalWith(set), limits)) {
+      recordPlan(*plan);
+      return {Verdict::Achievable, *plan, {}};
+    }
+  }
+  last_limit_ = last.limit;
+  return last;
+}
+
+/// Visits every reachable state, keeps the maximal achieved sets.
 LimitReason Achievability::exhaust(const Limits& limits) {
   ++planner_calls_;
   search::Exhaustive exhaustive(*task_);
@@ -39,11 +89,7 @@ LimitReason Achievability::exhaust(const Limits& limits) {
     return true;
   };
   const LimitReason reason = exhaustive.run(limits.withStates(budget_.exhaustive), visit);
-  exhaustive_limit_ = reason;
-  // What a person or the clock broke off must end now, and may be tried anew; states and bytes
-  // would end it again.
-  exhaustive_tried_ = reason != LimitReason::Cancelled && reason != LimitReason::Time;
-  if (!exhaustive_tried_) return reason;
+  if (reason == LimitReason::Cancelled || reason == LimitReason::Time) return reason;
   std::vector<AchievedSets::Achieved> achieved;
   achieved.reserve(maximal.size());
   for (const auto& [set, id] : maximal) {
@@ -60,6 +106,7 @@ bool Achievability::provenUnachievable(const CandidateSet& set, const Limits& li
   if (conflicts_.provenWithin(set) != nullptr) return true;
   if (achieved_.covering(set) != nullptr) return false;
   if (exhaustive_complete_) return true;
+  if (knowsReachable()) return !symbolic_->reachable(goalWith(set));
   ++planner_calls_;
   const search::Result result =
       search::greedy(*task_, goalWith(set), limits.withStates(budget_.first_greedy));
@@ -80,7 +127,8 @@ void Achievability::addUnachievable(const CandidateSet& set, const Limits& limit
     // Left in because it was not proven superfluous: minimal only if that was shown by a plan.
     CandidateSet without = conflict.members;
     without.reset(candidate);
-    conflict.minimal = conflict.minimal && achieved_.covering(without) != nullptr;
+    conflict.minimal =
+        conflict.minimal && (knowsReachable() || achieved_.covering(without) != nullptr);
   }
   conflicts_.add(conflict);
 }
@@ -101,9 +149,33 @@ std::optional<CandidateSet> Achievability::nextOpenSet(bool& too_many) {
   return std::nullopt;
 }
 
+/// All conflicts at once, from the reachable states.
+bool Achievability::takeConflicts(const Limits& limits) {
+  std::map<FactId, std::size_t> candidate_of;
+  FactSet facts;
+  for (std::size_t i = 0; i < facts_.size(); ++i) {
+    if (facts_[i] == kNoFact) continue;
+    candidate_of.emplace(facts_[i], i);
+    facts.push_back(facts_[i]);
+  }
+  const search::MinimalConflicts found = symbolic_->minimalConflicts(
+      specified_, task::makeFactSet(std::move(facts)), kMostConflicts, limits);
+  if (!found.all) return false;
+  conflicts_.clearSuspectedWithin(~CandidateSet(facts_.size()));
+  for (const FactSet& set : found.sets) {
+    Conflict conflict;
+    conflict.members.resize(facts_.size());
+    for (const FactId fact : set)
+      conflict.members.set(candidate_of.at(fact));
+    conflicts_.add(conflict);
+  }
+  return true;
+}
+
 bool Achievability::findAllConflicts(const Limits& limits) {
   bool too_many = false;
   while (!complete_) {
+    if (knowsReachable() && takeConflicts(limits)) break;
     const auto open = nextOpenSet(too_many);
     if (!open) break;
     const Check result = check(*open, limits);

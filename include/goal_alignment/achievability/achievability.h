@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "goal_alignment/search/anytime.h"
 #include "goal_alignment/search/result.h"
 #include "goal_alignment/search/search_task.h"
+#include "goal_alignment/search/symbolic.h"
 #include "goal_alignment/task/task.h"
 
 /// One robot task, many goal sets: which candidates can be had together with the specified goal?
@@ -35,9 +37,11 @@ struct Check {
 
 /// How much work each kind of search may do, in generated states.
 struct SearchBudget {
-  std::uint64_t first_greedy = 20'000;    ///< before the exhaustive search is tried
-  std::uint64_t exhaustive = 60'000'000;  ///< once a task
-  std::uint64_t second_greedy = 200'000;  ///< after it did not finish
+  std::uint64_t first_greedy = 20'000;     ///< before the reachable states are swept
+  std::uint64_t first_symbolic = 300'000;  ///< steps on diagrams, for those that stay small
+  std::uint64_t exhaustive = 1'000'000;    ///< the states one by one
+  std::uint64_t symbolic = 100'000'000;    ///< steps on diagrams, where the states are more
+  std::uint64_t second_greedy = 200'000;   ///< where none of this came to its end
 };
 
 /// Remembers every set achieved and every conflict, so that what they imply needs no search.
@@ -55,7 +59,8 @@ class Achievability {
   void recordExecution(const std::vector<GroundName>& actions);
 
   /// Can all of `set` be had together with the specified goal? Answers from memory where it can,
-  /// else searches: greedily, then exhaustively (stage 3, at most once), then greedily again.
+  /// else searches: greedily, then through all reachable states (stage 3, at most once), one by one
+  /// or symbolically; where that did not come to its end greedily again.
   Check check(const CandidateSet& set, const Limits& limits);
 
   /// Can the candidate be had at all, without the specified goal (the paper's F̂)?
@@ -107,7 +112,12 @@ class Achievability {
   void recordPlan(const task::Plan& plan);
   std::optional<Check> recall(const CandidateSet& set) const;
   std::optional<Check> searchGreedily(const CandidateSet& set, const Limits& limits, Check& last);
+  LimitReason sweep(const Limits& limits);
   LimitReason exhaust(const Limits& limits);
+  LimitReason sweepSymbolically(std::uint64_t steps, const Limits& limits);
+  bool knowsReachable() const { return symbolic_ != nullptr; }
+  Check checkReachable(const CandidateSet& set, const Limits& limits);
+  bool takeConflicts(const Limits& limits);
   void addUnachievable(const CandidateSet& set, const Limits& limits);
   bool provenUnachievable(const CandidateSet& set, const Limits& limits);
   std::optional<CandidateSet> nextOpenSet(bool& too_many);
@@ -121,10 +131,11 @@ class Achievability {
   CandidateSet reached_;  // candidates seen true in some reachable state
   ConflictSet conflicts_;
   AchievedSets achieved_;
-  bool exhaustive_tried_ = false;
+  std::unique_ptr<search::Symbolic> symbolic_;  // all reachable states, if that worked out
+  bool swept_ = false;                          // as far as the budget reaches
   bool exhaustive_complete_ = false;
   bool complete_ = false;
-  LimitReason exhaustive_limit_ = LimitReason::None;
+  LimitReason sweep_limit_ = LimitReason::None;
   LimitReason last_limit_ = LimitReason::None;
   std::size_t planner_calls_ = 0;
 };
