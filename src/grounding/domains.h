@@ -32,7 +32,7 @@ class Domains {
 
  private:
   const std::shared_ptr<const Domain>& ofType(pddl::TypeId type);
-  bool narrow(const pddl::LiftedAtom& atom);
+  bool narrow(const pddl::LiftedAtom& lifted);
   bool matches(const pddl::LiftedAtom& lifted, const pddl::Atom& atom) const;
   void pollLimits();
 

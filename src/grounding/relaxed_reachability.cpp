@@ -31,8 +31,7 @@ constexpr std::size_t kNoTrigger = std::numeric_limits<std::size_t>::max();
 /// A rule as the join needs it.
 struct Plan {
   const Rule* rule = nullptr;
-  std::size_t binding_size = 0;
-  std::vector<std::shared_ptr<const Domain>> domains;  // by variable; null: bound by a quantifier
+  std::vector<std::shared_ptr<const Domain>> domains;  // in the order of Rule::variables
   std::vector<int> free;  // variables that no atom of the body mentions
   std::vector<int> kept;  // variables whose objects make a difference to what can change
   std::unordered_set<Atom, pddl::AtomHash> found;  // what they were, where they are not all
@@ -54,11 +53,15 @@ class Join {
       for (const LiftedAtom& atom : deleted)
         deletable_[static_cast<std::size_t>(atom.predicate)] = true;
     };
+    std::size_t variables = 0;
     for (const Schema& schema : model.schemas) {
+      variables = std::max(variables, schema.parameters.size() + schema.quantified.size());
       note(schema.del);
       for (const pddl::ConditionalEffect& effect : schema.conditional)
         note(effect.del);
     }
+    domain_.resize(variables);
+    binding_.resize(variables, kUnbound);
   }
 
   RelaxedReachability run() {
@@ -108,14 +111,11 @@ class Join {
     Domains domains(model_, result_.atoms, index_, limits_);
     for (const Rule& rule : result_.rules) {
       Plan plan;
-      const auto narrowed = domains.of(rule);
-      if (narrowed.size() < rule.variables.size()) continue;
+      checkLimits();
+      plan.domains = domains.of(rule);
+      if (plan.domains.size() < rule.variables.size()) continue;
       const Schema& schema = model_.schemas[static_cast<std::size_t>(rule.schema)];
       plan.rule = &rule;
-      plan.binding_size = schema.parameters.size() + schema.quantified.size();
-      plan.domains.resize(plan.binding_size);
-      for (std::size_t i = 0; i < rule.variables.size(); ++i)
-        plan.domains[static_cast<std::size_t>(rule.variables[i])] = narrowed[i];
       sortVariables(plan, schema);
       for (std::size_t i = 0; i < rule.body.size(); ++i) {
         const LiftedAtom& atom = rule.body[i];
@@ -129,8 +129,9 @@ class Join {
   /// Fills `free` and `kept`.
   void sortVariables(Plan& plan, const Schema& schema) const {
     const Rule& rule = *plan.rule;
-    std::vector<bool> in_body(plan.binding_size, false);
-    std::vector<bool> matters(plan.binding_size, !rule.residual.empty());
+    const std::size_t variables = schema.parameters.size() + schema.quantified.size();
+    std::vector<bool> in_body(variables, false);
+    std::vector<bool> matters(variables, !rule.residual.empty());
     std::fill_n(matters.begin(), schema.parameters.size(), true);
     const auto note = [](const std::vector<LiftedAtom>& atoms, std::vector<bool>& into, auto&& of) {
       for (const LiftedAtom& atom : atoms) {
@@ -186,15 +187,15 @@ class Join {
   void start(std::size_t plan, std::size_t triggered_by) {
     plan_ = &plans_[plan];
     triggered_by_ = triggered_by;
-    binding_.assign(plan_->binding_size, kUnbound);
-    trail_.clear();
+    for (std::size_t i = 0; i < plan_->domains.size(); ++i)
+      domain_[static_cast<std::size_t>(plan_->rule->variables[i])] = plan_->domains[i].get();
     matched_.assign(plan_->rule->body.size(), false);
   }
 
   /// Binds one variable; false where its domain or an equality forbids the object.
   bool bindVariable(int variable, ObjectId object) {
     const auto v = static_cast<std::size_t>(variable);
-    if (!(*plan_->domains[v])[static_cast<std::size_t>(object)]) return false;
+    if (!(*domain_[v])[static_cast<std::size_t>(object)]) return false;
     binding_[v] = object;
     trail_.push_back(v);
     return std::all_of(plan_->rule->equalities.begin(), plan_->rule->equalities.end(),
@@ -266,7 +267,7 @@ class Join {
       return;
     }
     const int variable = plan_->free[from];
-    const Domain& domain = *plan_->domains[static_cast<std::size_t>(variable)];
+    const Domain& domain = *domain_[static_cast<std::size_t>(variable)];
     for (std::size_t o = 0; o < domain.size(); ++o) {
       checkLimits();
       if (!domain[o]) continue;
@@ -390,10 +391,11 @@ class Join {
   std::vector<Plan> plans_;
   std::size_t arguments_ = 0;  // objects that are held in all
 
-  // The instantiation under construction.
+  // The instantiation under construction. Between two of them nothing is bound.
   AtomId newest_ = kNoAtom;
   Plan* plan_ = nullptr;
   std::size_t triggered_by_ = 0;
+  std::vector<const Domain*> domain_;  // by variable, where the rule has it
   std::vector<ObjectId> binding_;
   std::vector<std::size_t> trail_;
   std::vector<bool> matched_;

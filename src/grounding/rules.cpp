@@ -183,6 +183,7 @@ class Compiler {
   void addRule(SchemaId id, std::size_t effect, Alternative alternative, std::vector<int> universal,
                std::vector<LiftedAtom> head) {
     const Schema& schema = model_.schemas[static_cast<std::size_t>(id)];
+    pollLimits();
     Rule rule;
     rule.schema = id;
     rule.effect = effect;
@@ -205,9 +206,13 @@ class Compiler {
     rules_.push_back(std::move(rule));
   }
 
-  bool inhabited(pddl::TypeId type) {
+  void pollLimits() {
     const LimitReason limit = monitor_.poll();
     if (limit != LimitReason::None) throw LimitReached(limit, "grounding");
+  }
+
+  bool inhabited(pddl::TypeId type) {
+    pollLimits();
     const auto [known, is_new] = inhabited_.emplace(type, false);
     if (is_new) {
       known->second = std::any_of(

@@ -88,6 +88,7 @@ void linkInit(LinkContext& context) {
 void linkGoal(LinkContext& context) {
   const std::string& source_name = context.problem.source.name;
   FormulaLinker linker(context, source_name, " in the goal");
+  linker.enter({});  // it has no parameters
   for (const ast::Formula& part : context.problem.goal) {
     if (part.kind == ast::Formula::Kind::Literal) {
       linkGoalLiteral(context, part.literal);

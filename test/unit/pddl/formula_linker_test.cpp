@@ -128,6 +128,8 @@ TEST(FormulaLinker, NamesWhatIsWrongInAFormula) {
             "no precondition makes it one");
   EXPECT_EQ(error(":effect (forall (?x - vessel) (when (q ?x) (in ?x)))"), "no error");
   EXPECT_EQ(error("", "(exists (?x - mug) (p ?x))"), "p.pddl:3:22: unknown type 'mug'");
+  EXPECT_EQ(error("", "(exists (?x ?x) (r))"),
+            "p.pddl:3:20: variable '?x' stands twice in the goal");
   EXPECT_EQ(error("", "(or (p C))"),
             "p.pddl:3:15: 'C' is of type 'place', but 'p' takes 'vessel' there in the goal");
   EXPECT_EQ(error("", "(exists (?x - (either cup mug)) (p ?x))"),

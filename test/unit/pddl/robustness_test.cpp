@@ -16,6 +16,17 @@ namespace {
 using samples::kTeaDomain;
 using samples::kTeaProblem;
 
+const std::string kLiftDomain = R"((define (domain lift)
+  (:types person floor - object vip - person)
+  (:predicates (in ?x - (either vip person)) (up ?f - floor) (open))
+  (:action go :parameters (?f - floor)
+    :precondition (or (open) (imply (up ?f) (exists (?p - vip) (not (and (in ?p) (= ?p ?p))))))
+    :effect (and (open) (forall (?p - person) (when (not (in ?p)) (and (in ?p) (not (up ?f))))))))
+)";
+const std::string kLiftProblem = R"((define (problem two) (:domain lift)
+  (:objects a - floor b - (either vip person)) (:init (up a))
+  (:goal (and (open) (forall (?p - person ?f - floor) (or (in ?p) (not (up ?f))))))))";
+
 /// True where the text is read or refused; any other exception goes through and fails the test.
 bool isReadOrRefused(const std::function<void()>& read) {
   try {
@@ -54,6 +65,16 @@ RC_GTEST_PROP(Robustness, MutatedTasksAreReadOrRefused, ()) {
   const Source domain{"d.pddl", in_domain ? mutated(kTeaDomain) : kTeaDomain};
   const Source problem{"p.pddl", in_domain ? kTeaProblem : mutated(kTeaProblem)};
   RC_ASSERT(isReadOrRefused([&] { readModel(domain, problem); }));
+  faults(domain, problem);
+}
+
+RC_GTEST_PROP(Robustness, MutatedFormulasAreReadOrRefused, ()) {
+  const Source domain{"d.pddl", mutated(kLiftDomain)};
+  const Source problem{"p.pddl", mutated(kLiftProblem)};
+  RC_ASSERT(isReadOrRefused([&] {
+    const Model model = readModel(domain, problem);
+    model.goalConditionText();
+  }));
   faults(domain, problem);
 }
 
@@ -100,6 +121,14 @@ TEST(Robustness, DeepButBoundedNestingIsRead) {
   const std::string text = "(define (domain d) (:action a :precondition " + repeated("(and ", 990) +
                            "(p)" + repeated(")", 990) + "))";
   EXPECT_EQ(parseDomain({"d", text}).actions.at(0).precondition.size(), 1U);
+}
+
+TEST(Robustness, DeepFormulasAreLinkedAndTold) {
+  const std::string domain = "(define (domain d) (:predicates (p)))";
+  const std::string deep = repeated("(not (or (p) ", 490) + "(p)" + repeated("))", 490);
+  const Model model =
+      readModel({"d", domain}, {"p", "(define (problem p) (:domain d) (:goal " + deep + "))"});
+  EXPECT_FALSE(model.goal.empty());
 }
 
 TEST(Robustness, LongNamesMakeShortMessages) {

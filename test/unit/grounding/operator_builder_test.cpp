@@ -64,7 +64,7 @@ Steps groundedSteps(const task::Task& task, const Facts& facts) {
   return steps;
 }
 
-RC_GTEST_PROP(Adl, EveryStateHasTheStepsOfTheLiftedModel, ()) {
+RC_GTEST_PROP(OperatorBuilder, EveryStateHasTheStepsOfTheLiftedModel, ()) {
   RandomSource random = oracles::anySource();
   const oracles::ModelSketch sketch = oracles::randomSmallAdlSketch(random, kMostStates);
   const pddl::Model model = sketch.model();
@@ -78,7 +78,7 @@ RC_GTEST_PROP(Adl, EveryStateHasTheStepsOfTheLiftedModel, ()) {
   }
 }
 
-RC_GTEST_PROP(Adl, TheGoalHoldsInTheSameStates, ()) {
+RC_GTEST_PROP(OperatorBuilder, TheGoalHoldsInTheSameStates, ()) {
   RandomSource random = oracles::anySource();
   const oracles::ModelSketch sketch = oracles::randomSmallAdlSketch(random, kMostStates);
   const pddl::Model model = sketch.model();
@@ -93,7 +93,7 @@ RC_GTEST_PROP(Adl, TheGoalHoldsInTheSameStates, ()) {
   }
 }
 
-RC_GTEST_PROP(Adl, OperatorsAreWellFormed, ()) {
+RC_GTEST_PROP(OperatorBuilder, OperatorsAreWellFormed, ()) {
   RandomSource random = oracles::anySource();
   const pddl::Model model = oracles::randomAdlSketch(random).model();
   std::set<std::pair<GroundName, task::FactSet>> known;
@@ -115,7 +115,7 @@ pddl::Model read(const std::string& domain, const std::string& problem) {
                          {"p.pddl", "(define (problem p) (:domain d) " + problem + ")"});
 }
 
-TEST(Adl, AnAtomAddedUnderAConditionKeepsItsComplementRight) {
+TEST(OperatorBuilder, AnAtomAddedUnderAConditionKeepsItsComplementRight) {
   const pddl::Model model = read(
       "(:predicates (p) (q) (r)) (:action a :effect (and (not (p)) (when (q) (p))))"
       "(:action b :effect (and (q) (r))) (:action c :effect (not (q)))",
@@ -128,7 +128,7 @@ TEST(Adl, AnAtomAddedUnderAConditionKeepsItsComplementRight) {
   }
 }
 
-TEST(Adl, StaticConditionsDisappear) {
+TEST(OperatorBuilder, StaticConditionsDisappear) {
   const pddl::Model model = read(
       "(:predicates (road ?x ?y) (at ?x) (seen ?x) (odd))"
       "(:action go :parameters (?x ?y) :precondition (and (at ?x) (or (road ?x ?y) (road ?y ?x)))"
@@ -146,7 +146,7 @@ TEST(Adl, StaticConditionsDisappear) {
   EXPECT_EQ(names, (std::multiset<std::string>{"(go a b)", "(go b a)", "(go b c)", "(go c b)"}));
 }
 
-TEST(Adl, DisjunctionsAreOperatorsOfOneName) {
+TEST(OperatorBuilder, DisjunctionsAreOperatorsOfOneName) {
   const pddl::Model model = read(
       "(:predicates (p) (q) (r)) (:action a :precondition (or (p) (q) (and (p) (r)))"
       " :effect (r)) (:action b :effect (and (p) (q))) (:action c :effect (not (p)))",
@@ -184,7 +184,7 @@ std::string refusal(const pddl::Model& model) {
   return "";
 }
 
-TEST(Adl, MoreAlternativesThanThereIsRoomForAreRefusedByName) {
+TEST(OperatorBuilder, MoreAlternativesThanThereIsRoomForAreRefusedByName) {
   const std::string predicates =
       "(:predicates (p ?x) (q ?x) (r)) (:action fill :parameters (?x) :effect (and (p ?x) (q ?x)))"
       "(:action empty :parameters (?x) :effect (and (not (p ?x)) (not (q ?x))))";
@@ -200,13 +200,29 @@ TEST(Adl, MoreAlternativesThanThereIsRoomForAreRefusedByName) {
   EXPECT_EQ(grounding::ground(fewer, {}, {}, {}).goal({}).alternatives.size(), 8192U);
 }
 
-TEST(Adl, AGoalThatNothingReachesHasNoAlternative) {
+// More alternatives than are lifted, fewer than are refused.
+TEST(OperatorBuilder, AlternativesThatAreNotLiftedAreGrounded) {
+  const pddl::Model model = read(
+      "(:predicates (p ?x) (q ?x) (r)) (:action fill :parameters (?x) :effect (and (p ?x) (q ?x)))"
+      "(:action empty :parameters (?x) :effect (and (not (p ?x)) (not (q ?x))))"
+      "(:action go :parameters (?a ?b ?c ?d ?e ?f ?g) :precondition (and (not (= ?a ?b))"
+      " (or (p ?a) (q ?a)) (or (p ?b) (q ?b)) (or (p ?c) (q ?c)) (or (p ?d) (q ?d))"
+      " (or (p ?e) (q ?e)) (or (p ?f) (q ?f)) (or (p ?g) (q ?g))) :effect (r))",
+      objects(2) + "(:goal (r))");
+  std::size_t alternatives = 0;
+  for (const task::Operator& op : grounding::ground(model, {}, {}, {}).task.operators) {
+    if (op.name.text() == "(go o0 o1 o0 o1 o0 o1 o0)") ++alternatives;
+  }
+  EXPECT_EQ(alternatives, 4U);
+}
+
+TEST(OperatorBuilder, AGoalThatNothingReachesHasNoAlternative) {
   const pddl::Model model =
       read("(:predicates (p) (q)) (:action a :effect (p))", "(:goal (or (q) (and (p) (q))))");
   EXPECT_TRUE(grounding::ground(model, {}, {}, {}).goal({}).alternatives.empty());
 }
 
-TEST(Adl, NestedQuantifiersEndAtTheDeadline) {
+TEST(OperatorBuilder, NestedQuantifiersEndAtTheDeadline) {
   std::string formula = "(p ?a)";
   for (const char* variable : {"a", "b", "c", "d", "e", "f", "g", "h"})
     formula = std::string(variable == std::string("a") ? "(exists" : "(forall") + " (?" + variable +
