@@ -44,14 +44,14 @@ std::string sweeping(const std::string& loses) {
          loses + ")))";
 }
 
-std::string pigeonry(const std::string& loses) {
+// Tiles slide to where no tile is; only the person believes that two may change places.
+std::string tiles(const std::string& more) {
   return R"((define (domain generated)
-  (:predicates (waiting ?p) (free ?h) (housed ?p) (in ?p ?h))
-  (:action enter :parameters (?p ?h) :precondition (and (waiting ?p) (free ?h))
-    :effect (and (housed ?p) (in ?p ?h) (not (waiting ?p)) )" +
-         loses + R"())
-  (:action leave :parameters (?p ?h) :precondition (in ?p ?h)
-    :effect (and (waiting ?p) (free ?h) (not (housed ?p)) (not (in ?p ?h))))))";
+  (:predicates (tile ?t) (beside ?a ?b) (at ?t ?c) (blank ?c))
+  (:action slide :parameters (?t ?from ?to)
+    :precondition (and (tile ?t) (at ?t ?from) (blank ?to) (beside ?from ?to))
+    :effect (and (at ?t ?to) (blank ?from) (not (at ?t ?from)) (not (blank ?to)))) )" +
+         more + ")";
 }
 
 std::string party(const std::string& condition) {
@@ -116,16 +116,30 @@ session::Input wideAction(int rooms) {
                 {GroundName{"sweep", {"r0"}}});
 }
 
-session::Input pigeons(int holes) {
-  const auto objects = row(holes + 1, [](const auto& i) { return "p" + i; }) +
-                       row(holes, [](const auto& i) { return "h" + i; });
-  const auto init = row(holes + 1, [](const auto& i) { return "(waiting p" + i + ")"; }) +
-                    row(holes, [](const auto& i) { return "(free h" + i + ")"; });
-  std::vector<GroundName> plan;
-  for (int i = 0; i < holes + 1; ++i)
-    plan.push_back(GroundName{"enter", {"p" + std::to_string(i), "h0"}});
-  return taskOf(pigeonry("(not (free ?h))"), pigeonry(""), problemOf(objects, init, "(housed p0)"),
-                std::move(plan));
+session::Input swappedTiles(int side) {
+  const auto cell = [&](int row, int column) { return "c" + std::to_string(row * side + column); };
+  std::string init = "(blank " + cell(0, 0) + ") ";
+  for (int i = 0; i < side; ++i) {
+    for (int k = 0; k + 1 < side; ++k) {
+      const std::string across = cell(i, k) + " " + cell(i, k + 1);
+      const std::string back = cell(i, k + 1) + " " + cell(i, k);
+      const std::string down = cell(k, i) + " " + cell(k + 1, i);
+      const std::string up = cell(k + 1, i) + " " + cell(k, i);
+      for (const std::string& pair : {across, back, down, up})
+        init += "(beside " + pair + ") ";
+    }
+  }
+  std::string objects = "c0";
+  for (int i = 1; i < side * side; ++i) {
+    const std::string number = std::to_string(i);
+    objects += " t" + number + " c" + number;
+    init += "(tile t" + number + ") (at t" + number + " c" + number + ") ";
+  }
+  const std::string swap = R"((:action swap :parameters (?s ?t ?a ?b)
+    :precondition (and (at ?s ?a) (at ?t ?b) (beside ?a ?b))
+    :effect (and (at ?s ?b) (at ?t ?a) (not (at ?s ?a)) (not (at ?t ?b)))))";
+  return taskOf(tiles(""), tiles(swap), problemOf(objects, init, "(at t1 c2)"),
+                {GroundName{"swap", {"t1", "t2", "c1", "c2"}}});
 }
 
 session::Input carriedBalls(int balls) {

@@ -22,9 +22,10 @@ session::Input longText(int rooms);
 /// An action over all six-tuples of rooms, all of them reachable: grounding.
 session::Input wideAction(int rooms);
 
-/// One pigeon more than there are holes, of which the person knows nothing. It takes ages to find
-/// out that they can't all be housed: the analysis.
-session::Input pigeons(int holes);
+/// A sliding puzzle, of which the person believes that two tiles can change places: then all others
+/// stay where they are. For the robot one half of all orders is out of reach, which no part of an
+/// order shows. On a side of four it takes ages to find that out: the analysis.
+session::Input swappedTiles(int side);
 
 /// Models that agree: nothing to ask, a plan at once, but a long way to the optimal one.
 session::Input carriedBalls(int balls);

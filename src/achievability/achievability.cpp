@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "goal_alignment/common/parallel.h"
 #include "goal_alignment/heuristics/mutex_groups.h"
 #include "goal_alignment/search/astar.h"
 #include "goal_alignment/search/greedy.h"
@@ -16,11 +17,26 @@ using grounding::FactStatus;
 using task::FactId;
 using task::FactSet;
 
+namespace {
+
+/// Beyond so many operators a state takes so much longer that the searches get fewer of them.
+constexpr std::uint64_t kOperators = 2'500;
+constexpr std::uint64_t kLeastStates = 500;
+
+SearchBudget scaled(SearchBudget budget, std::uint64_t operators) {
+  if (operators <= kOperators) return budget;
+  for (std::uint64_t* states : {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy})
+    *states = std::min(*states, std::max(*states * kOperators / operators, kLeastStates));
+  return budget;
+}
+
+}  // namespace
+
 Achievability::Achievability(const grounding::GroundTask& robot,
                              const std::vector<Literal>& specified,
                              const std::vector<Literal>& candidates, const SearchBudget& budget,
                              const Limits& limits)
-    : budget_(budget),
+    : budget_(scaled(budget, robot.task.operators.size())),
       facts_(candidates.size(), kNoFact),
       always_true_(candidates.size()),
       never_true_(candidates.size()),
@@ -208,16 +224,39 @@ search::Improved Achievability::improvedPlan(const CandidateSet& set, const task
   return search::improve(*task_, goalWith(set), plan, limits);
 }
 
-Verdict Achievability::reachableAlone(std::size_t candidate, const Limits& limits) {
+/// What is known of it without a search.
+std::optional<Verdict> Achievability::recallAlone(std::size_t candidate) const {
   if (reached_.test(candidate)) return Verdict::Achievable;
   if (never_true_.test(candidate) || exhaustive_complete_) return Verdict::Unachievable;
-  if (knowsReachable()) {
-    const bool reachable = symbolic_->reachable(FactSet{facts_[candidate]});
-    return reachable ? Verdict::Achievable : Verdict::Unachievable;
+  if (!knowsReachable()) return std::nullopt;
+  const bool reachable = symbolic_->reachable(FactSet{facts_[candidate]});
+  return reachable ? Verdict::Achievable : Verdict::Unachievable;
+}
+
+std::vector<Verdict> Achievability::reachableAlone(const Limits& limits) {
+  std::vector<Verdict> verdicts(facts_.size(), Verdict::Unknown);
+  for (std::size_t next = 0; next < facts_.size();) {
+    std::vector<std::size_t> batch;
+    for (; next < facts_.size() && batch.size() < kBatch; ++next) {
+      if (const auto known = recallAlone(next)) {
+        verdicts[next] = *known;
+      } else {
+        batch.push_back(next);
+      }
+    }
+    std::vector<search::Result> results(batch.size());
+    inParallel(batch.size(), budget_.threads, [&](std::size_t i) {
+      results[i] = search::greedy(*task_, FactSet{facts_[batch[i]]},
+                                  limits.withStates(budget_.second_greedy));
+    });
+    planner_calls_ += batch.size();
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      verdicts[batch[i]] = learnAlone(batch[i], results[i]);
   }
-  ++planner_calls_;
-  const search::Result result =
-      search::greedy(*task_, FactSet{facts_[candidate]}, limits.withStates(budget_.second_greedy));
+  return verdicts;
+}
+
+Verdict Achievability::learnAlone(std::size_t candidate, const search::Result& result) {
   if (result.status == search::Status::Solved) {
     recordPlan(result.plan);
     return Verdict::Achievable;

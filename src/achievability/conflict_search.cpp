@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "goal_alignment/achievability/achievability.h"
+#include "goal_alignment/common/parallel.h"
 #include "goal_alignment/search/exhaustive.h"
 #include "goal_alignment/search/greedy.h"
 
@@ -137,16 +138,33 @@ void Achievability::suspect(const CandidateSet& set) {
   conflicts_.add({set - always_true_, false, false});
 }
 
-/// A maximal set without a known conflict that is not known to be achievable.
-std::optional<CandidateSet> Achievability::nextOpenSet(bool& too_many) {
+/// The first few maximal sets without a known conflict that are not known to be achievable.
+std::vector<CandidateSet> Achievability::nextOpenSets(std::size_t most, bool& too_many) {
+  std::vector<CandidateSet> open;
   const auto* hitting_sets = conflicts_.minimalHittingSets(kMostHittingSets);
   too_many = hitting_sets == nullptr;
-  if (too_many) return std::nullopt;
+  if (too_many) return open;
   for (const CandidateSet& hitting : *hitting_sets) {
     CandidateSet rest = ~hitting;
-    if (achieved_.covering(rest) == nullptr) return rest;
+    if (achieved_.covering(rest) == nullptr) open.push_back(std::move(rest));
+    if (open.size() == most) break;
   }
-  return std::nullopt;
+  return open;
+}
+
+/// Looks for plans for several sets side by side; true when all have one.
+bool Achievability::checkTogether(const std::vector<CandidateSet>& sets, const Limits& limits) {
+  std::vector<search::Result> results(sets.size());
+  inParallel(sets.size(), budget_.threads, [&](std::size_t i) {
+    results[i] = search::greedy(*task_, goalWith(sets[i]), limits.withStates(budget_.first_greedy));
+  });
+  planner_calls_ += sets.size();
+  bool all = true;
+  for (const search::Result& result : results) {
+    if (result.status == search::Status::Solved) recordPlan(result.plan);
+    all = all && result.status == search::Status::Solved;
+  }
+  return all;
 }
 
 /// All conflicts at once, from the reachable states.
@@ -174,14 +192,22 @@ bool Achievability::takeConflicts(const Limits& limits) {
 
 bool Achievability::findAllConflicts(const Limits& limits) {
   bool too_many = false;
+  // Many sets at a time as long as all of them have plans; one whose plan is not found at once may
+  // bring a conflict to light that settles others, too.
+  std::size_t together = 1;
   while (!complete_) {
     if (knowsReachable() && takeConflicts(limits)) break;
-    const auto open = nextOpenSet(too_many);
-    if (!open) break;
-    const Check result = check(*open, limits);
+    const std::vector<CandidateSet> open = nextOpenSets(together, too_many);
+    if (open.empty()) break;
+    if (open.size() > 1) {
+      together = checkTogether(open, limits) ? kBatch : 1;
+      continue;
+    }
+    const Check result = check(open.front(), limits);
+    if (result.verdict == Verdict::Achievable) together = kBatch;
     if (result.verdict != Verdict::Unknown) continue;
     if (result.limit == LimitReason::Cancelled || result.limit == LimitReason::Time) return false;
-    suspect(*open);
+    suspect(open.front());
   }
   const bool all_proven = std::all_of(conflicts().begin(), conflicts().end(),
                                       [](const Conflict& conflict) { return conflict.proven; });

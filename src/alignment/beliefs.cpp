@@ -72,8 +72,8 @@ CheapestPrefixes cheapestPrefixes(const Problem& problem, const std::vector<Cost
   return costs;
 }
 
-/// Searches for less would find little: the bounds do as well.
-constexpr std::uint64_t kLeastStates = 20;
+/// Searches for less would find little, and setting them up takes as long: the bounds do as well.
+constexpr std::uint64_t kLeastStates = 200;
 /// The relaxed operators that all evaluations of LM-cut may look at together: about a second.
 constexpr std::uint64_t kEvaluationWork = 200'000'000;
 
@@ -107,7 +107,7 @@ class HumanCosts {
       searchBatch({0}, result);
       for (Query& query : queries_)
         query.lower = std::max(query.lower, queries_[0].lower);
-      for (std::size_t next = 1; next < queries_.size();)
+      for (std::size_t next = 1; next < queries_.size() && timeIsLeft();)
         searchBatch(nextBatch(next), result);
     }
     for (const Query& query : queries_)
@@ -142,6 +142,8 @@ class HumanCosts {
       if (is_new) queries_.push_back({status.fact, 0, prefixes_.with[c]});
     }
   }
+
+  bool timeIsLeft() const { return Limits::Clock::now() < search_limits_.deadline; }
 
   /// The next few queries that the bounds leave open.
   std::vector<std::size_t> nextBatch(std::size_t& next) const {

@@ -12,11 +12,8 @@
 #include "goal_alignment/cli/json_output.h"
 #include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/grounding/grounder.h"
-#include "goal_alignment/heuristics/mutex_groups.h"
-#include "goal_alignment/heuristics/mutexes.h"
 #include "goal_alignment/pddl/model.h"
-#include "goal_alignment/search/astar.h"
-#include "goal_alignment/search/greedy.h"
+#include "goal_alignment/search/solve.h"
 #include "goal_alignment/validation/execution.h"
 
 namespace goal_alignment::cli {
@@ -82,27 +79,15 @@ class Planning {
     const bool unit_costs = !(arguments_.optimal && model.has_costs);
     const grounding::GroundTask ground = grounding::ground(model, goal, {unit_costs}, limits);
     lap("ground");
-    search(ground, goal, limits);
+    const auto seek = arguments_.optimal ? search::Seek::OptimalPlan : search::Seek::AnyPlan;
+    result_ = search::solve(ground.task, ground.goal(goal), seek, limits);
+    steps_ = task::names(ground.task, result_.plan);
     lap("search");
     if (result_.status != search::Status::Solved) return;
     if (const auto fault = validation::fault(model, steps_, goal)) {
       throw Exception("the plan found did not pass validation: " + *fault);
     }
     result_.cost = validation::execute(model, steps_).cost();
-  }
-
-  void search(const grounding::GroundTask& ground, const std::vector<Literal>& goal,
-              const Limits& limits) {
-    result_.status = search::Status::Unsolvable;
-    const task::Goal facts = ground.goal(goal);
-    if (facts.alternatives.empty()) return;
-    const heuristics::MutexTable mutexes(ground.task, limits);
-    if (mutexes.rulesOut(facts)) return;
-    const search::SearchTask task(mutexes.withoutInapplicable(ground.task),
-                                  heuristics::mutexGroups(ground.task, mutexes, limits));
-    result_ = arguments_.optimal ? search::astar(task, facts, limits)
-                                 : search::greedy(task, facts, limits);
-    steps_ = task::names(task.task(), result_.plan);
   }
 
   OutcomeCode code() const {

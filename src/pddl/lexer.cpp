@@ -47,7 +47,9 @@ Token Lexer::next() {
     ++offset_;
     return {c == '(' ? Token::Kind::Open : Token::Kind::Close, text_.substr(first, 1), begin};
   }
-  while (offset_ < text_.size() && isWordCharacter(text_[offset_]))
+  // Nor has a variable: `(aircraft?a)` stands in an IPC domain.
+  while (offset_ < text_.size() && isWordCharacter(text_[offset_]) &&
+         (text_[offset_] != '?' || offset_ == first))
     ++offset_;
   if (offset_ == first) refuseByte();
   return {Token::Kind::Word, text_.substr(first, offset_ - first), begin};

@@ -20,6 +20,9 @@ namespace {
 constexpr std::uint64_t kBeliefStates = 2'000;
 constexpr std::uint64_t kPaperBeliefStates = 100'000;
 
+/// A dialogue that does not wait for all conflicts does not wait long for proofs, either.
+constexpr std::uint64_t kLazySteps = 5'000'000;
+
 void requireRange(bool holds, const std::string& what) {
   if (!holds) throw std::invalid_argument(what);
 }
@@ -159,8 +162,10 @@ void Session::Implementation::read() {
 }
 
 void Session::Implementation::ground() {
-  robot_side_ =
-      alignment::makeRobotSide(*problem_, unit_costs_, achievability::SearchBudget{}, limits());
+  achievability::SearchBudget budget;
+  budget.threads = options_.threads;
+  if (options_.conflicts == ConflictMode::Lazy) budget.symbolic = kLazySteps;
+  robot_side_ = alignment::makeRobotSide(*problem_, unit_costs_, budget, limits());
   policy_ = questions::makePolicy(options_.policy, policySetting());
   phase_ = Phase::Check;
 }
@@ -226,12 +231,11 @@ questions::Setting Session::Implementation::policySetting() {
 }
 
 std::vector<bool> Session::Implementation::unachievableAlone() {
-  std::vector<bool> result(robot().candidateCount());
-  for (std::size_t f = 0; f < result.size(); ++f) {
-    const Verdict verdict = robot().reachableAlone(f, limits());
+  std::vector<bool> result;
+  for (const Verdict verdict : robot().reachableAlone(limits())) {
     if (verdict == Verdict::Unknown)
       throw LimitReached(robot().lastLimit(), "a check of Algorithm 1");
-    result[f] = verdict == Verdict::Unachievable;
+    result.push_back(verdict == Verdict::Unachievable);
   }
   return result;
 }

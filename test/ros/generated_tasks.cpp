@@ -40,7 +40,7 @@ AlignGoal longToGround() {
 }
 
 AlignGoal longToAnalyse() {
-  return goalOf(benchmarks::pigeons(15));
+  return goalOf(benchmarks::swappedTiles(5));
 }
 
 AlignGoal longToPlan() {

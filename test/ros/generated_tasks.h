@@ -10,8 +10,8 @@ namespace goal_alignment::test {
 /// Like sweepBothRooms() with so many rooms, each of which is asked about.
 AlignGoal sweepRooms(int rooms);
 
-/// A few guests are no work, twelve take seconds, kManyGuests the better part of a minute, all of
-/// it within one step.
+/// A few guests are no work, kManyGuests take the better part of a minute, all of it within one
+/// step.
 AlignGoal seatGuests(int guests);
 
 constexpr int kManyGuests = 150;
@@ -20,7 +20,7 @@ constexpr int kManyGuests = 150;
 AlignGoal longToRead();
 /// Few objects, but 10^9 ground actions.
 AlignGoal longToGround();
-/// More pigeons than holes: it takes ages to find out that they can't all sit.
+/// A sliding puzzle with two tiles swapped: it takes ages to find out that it can't be solved.
 AlignGoal longToAnalyse();
 /// A plan is found at once, and with the parameter plan: optimal a shortest one takes ages.
 AlignGoal longToPlan();

@@ -35,13 +35,15 @@ struct Check {
   LimitReason limit = LimitReason::None;  ///< with Unknown
 };
 
-/// How much work each kind of search may do, in generated states.
+/// How much work each kind of search may do, in generated states. Tasks of very many operators get
+/// less, since their states take longer.
 struct SearchBudget {
   std::uint64_t first_greedy = 20'000;     ///< before the reachable states are swept
   std::uint64_t first_symbolic = 300'000;  ///< steps on diagrams, for those that stay small
   std::uint64_t exhaustive = 1'000'000;    ///< the states one by one
-  std::uint64_t symbolic = 100'000'000;    ///< steps on diagrams, where the states are more
+  std::uint64_t symbolic = 50'000'000;     ///< steps on diagrams, where the states are more
   std::uint64_t second_greedy = 200'000;   ///< where none of this came to its end
+  int threads = 1;  ///< for checks that don't depend on each other; the answers are the same
 };
 
 /// Remembers every set achieved and every conflict, so that what they imply needs no search.
@@ -63,8 +65,9 @@ class Achievability {
   /// or symbolically; where that did not come to its end greedily again.
   Check check(const CandidateSet& set, const Limits& limits);
 
-  /// Can the candidate be had at all, without the specified goal (the paper's F̂)?
-  Verdict reachableAlone(std::size_t candidate, const Limits& limits);
+  /// Which candidates can be had at all, without the specified goal (those that can't are the
+  /// paper's F̂)?
+  std::vector<Verdict> reachableAlone(const Limits& limits);
 
   /// A plan for the set that no plan undercuts in cost; Unknown where the limits end the search.
   search::Result optimalPlan(const CandidateSet& set, const Limits& limits);
@@ -118,9 +121,12 @@ class Achievability {
   bool knowsReachable() const { return symbolic_ != nullptr; }
   Check checkReachable(const CandidateSet& set, const Limits& limits);
   bool takeConflicts(const Limits& limits);
+  std::optional<Verdict> recallAlone(std::size_t candidate) const;
+  Verdict learnAlone(std::size_t candidate, const search::Result& result);
   void addUnachievable(const CandidateSet& set, const Limits& limits);
   bool provenUnachievable(const CandidateSet& set, const Limits& limits);
-  std::optional<CandidateSet> nextOpenSet(bool& too_many);
+  std::vector<CandidateSet> nextOpenSets(std::size_t most, bool& too_many);
+  bool checkTogether(const std::vector<CandidateSet>& sets, const Limits& limits);
 
   SearchBudget budget_;
   std::optional<search::SearchTask> task_;  // without the operators that mutexes rule out

@@ -36,6 +36,9 @@ class MutexTable {
   /// Whether every alternative of the goal contains one.
   bool rulesOut(const task::Goal& goal) const;
 
+  /// Whether the operator's precondition is free of mutexes.
+  bool applicable(task::OperatorId op) const { return applicable_[op]; }
+
   /// The task without the operators whose precondition contains a mutex: they can never be applied.
   task::Task withoutInapplicable(task::Task task) const;
 

@@ -17,6 +17,7 @@ struct Statistics {
   std::uint64_t evaluated = 0;
   std::uint64_t generated = 0;
   std::size_t bytes = 0;  ///< accounted, at the end
+  double preparing = 0;   ///< seconds that mutexes and the like took before, of solve()
 };
 
 struct Result {

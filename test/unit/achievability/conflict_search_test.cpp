@@ -38,6 +38,25 @@ RC_GTEST_PROP(ConflictSearch, FindsExactlyTheMinimalConflicts, ()) {
   }
 }
 
+// Whatever the number of threads: the same conflicts in the same order, by the same plans.
+RC_GTEST_PROP(ConflictSearch, ThreadsChangeNothing, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  SearchBudget budget = {1 + random.below(50), 1, 1, 1, 1 + random.below(50), 1};
+  const auto alone = make(hagl, budget);
+  alone->findAllConflicts({});
+  budget.threads = 4;
+  const auto together = make(hagl, budget);
+  together->findAllConflicts({});
+  RC_ASSERT(alone->plannerCalls() == together->plannerCalls());
+  RC_ASSERT(alone->conflicts().size() == together->conflicts().size());
+  for (std::size_t i = 0; i < alone->conflicts().size(); ++i)
+    RC_ASSERT(alone->conflicts()[i].members == together->conflicts()[i].members);
+  RC_ASSERT(alone->achieved().size() == together->achieved().size());
+  for (std::size_t i = 0; i < alone->achieved().size(); ++i)
+    RC_ASSERT(alone->achieved()[i].plan == together->achieved()[i].plan);
+}
+
 /// What is known must be so, however little was searched.
 void requireSound(const Hagl& hagl, const Achievability& robot) {
   const std::set<CandidateBits> minimal = hagl.minimalConflicts();
@@ -55,7 +74,8 @@ RC_GTEST_PROP(ConflictSearch, IsSoundWithTinyBudgets, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   RC_LOG() << samples::text(hagl);
-  const SearchBudget budget = {random.below(6), random.below(6), random.below(6)};
+  const SearchBudget budget = {random.below(6), random.below(6), random.below(6), random.below(6),
+                               random.below(6)};
   const auto robot = make(hagl, budget);
   const bool complete = robot->findAllConflicts({});
   RC_ASSERT(complete == robot->complete());
@@ -73,7 +93,8 @@ RC_GTEST_PROP(ConflictSearch, IsSoundWithTinyBudgets, ()) {
 RC_GTEST_PROP(ConflictSearch, SaysUnknownRatherThanGuess, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
-  const SearchBudget budget = {random.below(4), random.below(4), random.below(4)};
+  const SearchBudget budget = {random.below(4), random.below(4), random.below(4), random.below(4),
+                               random.below(4)};
   const auto robot = make(hagl, budget);
   for (int i = 0; i < 30; ++i) {
     const CandidateBits set = random.below(hagl.all() + 1);
@@ -93,7 +114,7 @@ RC_GTEST_PROP(ConflictSearch, GoesOnAfterACancel, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   RC_LOG() << samples::text(hagl);
-  const SearchBudget budget = {random.below(10), 1'000'000, random.below(10)};
+  const SearchBudget budget = {random.below(10), 1, 1'000'000, 1, random.below(10)};
   const auto robot = make(hagl, budget);
   CancelToken token;
   Limits limits;

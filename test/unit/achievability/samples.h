@@ -14,10 +14,11 @@
 /// What the tests of `achievability` share.
 namespace goal_alignment::achievability::samples {
 
-/// Budgets that take each way through check(): greedy search, exhaustive search, and greedy search
-/// after an exhaustive one that did not finish.
+/// Budgets that take each way through check(): greedy search, the sweeps through the reachable
+/// states, and greedy search after sweeps that did not finish.
 inline std::vector<SearchBudget> ways() {
-  return {SearchBudget{}, {1, 1'000'000, 1}, {1, 1, 1'000'000}, {100'000, 1, 1}};
+  return {SearchBudget{},          {100'000, 1, 1, 1, 1},   {1, 1'000'000, 1, 1, 1},
+          {1, 1, 1'000'000, 1, 1}, {1, 1, 1, 1'000'000, 1}, {1, 1, 1, 1, 1'000'000, 3}};
 }
 
 inline std::unique_ptr<Achievability> make(const oracles::Hagl& hagl,

@@ -35,9 +35,9 @@ TEST(SeatedGuests, canNotAllBeSeated) {
   EXPECT_EQ(endingOf(seatedGuests(4), AnswerKind::No).code, OutcomeCode::Success);
 }
 
-TEST(Pigeons, canNotAllBeHoused) {
-  EXPECT_EQ(endingOf(pigeons(2), AnswerKind::Yes).code, OutcomeCode::ExpectationUnachievable);
-  EXPECT_EQ(endingOf(pigeons(2), AnswerKind::No).code, OutcomeCode::Success);
+TEST(SwappedTiles, canNotBePutInOrder) {
+  EXPECT_EQ(endingOf(swappedTiles(3), AnswerKind::Yes).code, OutcomeCode::ExpectationUnachievable);
+  EXPECT_EQ(endingOf(swappedTiles(3), AnswerKind::No).code, OutcomeCode::Success);
 }
 
 TEST(TasksOfModelsThatAgree, needNoQuestion) {

@@ -192,8 +192,7 @@ TEST_F(PlanCommand, BrokenPddlExitsWithTwoAndItsPlace) {
 }
 
 TEST_F(PlanCommand, LimitsExitWithThree) {
-  folder_.write("d.pddl", samples::endlessDomain("(full ?p)"));
-  folder_.write("p.pddl", samples::endlessProblem("(and (stowed a) (stowed b) (stowed c))"));
+  samples::writeEndlessTask(folder_);
   for (const std::string mode : {"--json", "--optimal"}) {
     EXPECT_EQ(hagl(plan({"--time-limit", "0.2", "--json", mode})).status, 3) << mode;
   }
@@ -203,8 +202,7 @@ TEST_F(PlanCommand, LimitsExitWithThree) {
 }
 
 TEST_F(PlanCommand, CtrlCExitsWithFour) {
-  folder_.write("d.pddl", samples::endlessDomain("(full ?p)"));
-  folder_.write("p.pddl", samples::endlessProblem("(and (stowed a) (stowed b) (stowed c))"));
+  samples::writeEndlessTask(folder_);
   Program program(plan({"--json"}));
   ASSERT_TRUE(program.works());
   program.signal(SIGINT);

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "generators/dialogue_tasks.h"
 #include "unit/alignment/samples.h"
 
 /// The program `hagl` run as a process, and files for it to read.
@@ -163,40 +164,28 @@ inline Ended hagl(const std::vector<std::string>& arguments, const std::string& 
   return program.wait();
 }
 
-/// Three things wanted in two places, beside 30 switches that have nothing to do with it: a search
-/// that goes on for ever, as far as a person is concerned. FULL stands where the robot fills
-/// places.
-inline const std::string kEndlessDomain = R"((define (domain endless)
-  (:predicates (on ?x) (place ?x) (thing ?x) (full ?p) (stowed ?x) (switch ?x))
-  (:action stow :parameters (?x ?p) :precondition (and (thing ?x) (place ?p) (not (full ?p)))
-    :effect (and (stowed ?x) FULL))
-  (:action flip :parameters (?x) :precondition (and (switch ?x) (not (on ?x))) :effect (on ?x))
-  (:action flop :parameters (?x) :precondition (and (switch ?x) (on ?x)) :effect (not (on ?x)))))";
-
-inline std::string endlessDomain(const std::string& full) {
-  std::string text = kEndlessDomain;
-  return text.replace(text.find("FULL"), 4, full);
-}
-
-inline std::string endlessProblem(const std::string& goal) {
-  std::string objects;
-  std::string init;
-  for (int i = 0; i < 30; ++i) {
-    objects += " s" + std::to_string(i);
-    init += " (switch s" + std::to_string(i) + ")";
-  }
-  return "(define (problem p) (:domain endless) (:objects a b c p q" + objects +
-         ") (:init (thing a) (thing b) (thing c) (place p) (place q)" + init + ") (:goal " + goal +
-         "))";
-}
-
+/// A sliding puzzle with two tiles swapped: a search that goes on for ever, as far as a person is
+/// concerned. As an alignment, in which the person believes that tiles can be swapped:
 inline void writeEndless(const Folder& folder) {
-  folder.write("robot_domain.pddl", endlessDomain("(full ?p)"));
-  folder.write("human_domain.pddl", endlessDomain(""));
-  folder.write("robot_problem.pddl", endlessProblem("(and)"));
-  folder.write("human_problem.pddl", endlessProblem("(and)"));
-  folder.write("human_plan.txt", "(stow a p)\n(stow b p)\n(stow c p)\n");
-  folder.write("true_goal.txt", "(stowed a)\n");
+  const session::Input input = benchmarks::swappedTiles(4);
+  folder.write("robot_domain.pddl", input.robot_domain.text);
+  folder.write("human_domain.pddl", input.human_domain.text);
+  folder.write("robot_problem.pddl", input.robot_problem.text);
+  folder.write("human_problem.pddl", input.human_problem.text);
+  folder.write("human_plan.txt", input.human_plan.front().text() + "\n");
+  folder.write("true_goal.txt", "(at t1 c2)\n");
+}
+
+/// As a planning task: d.pddl and p.pddl, whose goal names the place of every tile.
+inline void writeEndlessTask(const Folder& folder) {
+  const session::Input input = benchmarks::swappedTiles(4);
+  std::string goal = "(at t1 c2) (at t2 c1)";
+  for (int i = 3; i < 16; ++i)
+    goal += " (at t" + std::to_string(i) + " c" + std::to_string(i) + ")";
+  std::string problem = input.robot_problem.text;
+  problem.replace(problem.rfind("(at t1 c2)"), 10, goal);
+  folder.write("d.pddl", input.robot_domain.text);
+  folder.write("p.pddl", problem);
 }
 
 }  // namespace goal_alignment::cli::samples

@@ -36,6 +36,10 @@ TEST(Lexer, CutsWordsAndParentheses) {
   EXPECT_EQ(tokens("a(b)c"), (Tokens{"a@1:1", "(@1:2", "b@1:3", ")@1:4", "c@1:5", "<end>@1:6"}));
 }
 
+TEST(Lexer, AVariableBeginsAWordOfItsOwn) {
+  EXPECT_EQ(tokens("at?x?y"), (Tokens{"at@1:1", "?x@1:3", "?y@1:5", "<end>@1:7"}));
+}
+
 TEST(Lexer, CountsLinesWhateverEndsThem) {
   EXPECT_EQ(tokens("a\nb\r\nc\rd\n\n\te"),
             (Tokens{"a@1:1", "b@2:1", "c@3:1", "d@4:1", "e@6:2", "<end>@6:3"}));

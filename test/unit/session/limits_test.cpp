@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "generators/dialogue_tasks.h"
 #include "goal_alignment/session/session.h"
 #include "oracles/random_hagl.h"
 #include "oracles/seeds.h"
@@ -166,37 +167,9 @@ RC_GTEST_PROP(SessionCancel, AtAnyTimeSpoilsNothing, ()) {
   RC_ASSERT(code(session) == expectedCode(hagl));
 }
 
-/// Three things wanted in two places, beside 30 switches that have nothing to do with it: a search
-/// that goes on for ever, as far as a person is concerned.
-Input endless() {
-  const std::string domain = R"((define (domain endless)
-    (:predicates (on ?x) (place ?x) (thing ?x) (full ?p) (stowed ?x) (switch ?x))
-    (:action stow :parameters (?x ?p) :precondition (and (thing ?x) (place ?p) (not (full ?p)))
-      :effect (and (stowed ?x) FULL))
-    (:action flip :parameters (?x) :precondition (and (switch ?x) (not (on ?x))) :effect (on ?x))
-    (:action flop :parameters (?x) :precondition (and (switch ?x) (on ?x)) :effect (not (on ?x)))))";
-  std::string objects;
-  std::string init;
-  for (int i = 0; i < 30; ++i) {
-    objects += " s" + std::to_string(i);
-    init += " (switch s" + std::to_string(i) + ")";
-  }
-  const std::string problem =
-      "(define (problem p) (:domain endless) (:objects a b c p q" + objects +
-      ") (:init (thing a) (thing b) (thing c) (place p) (place q)" + init + ") (:goal (and)))";
-  Input input;
-  std::string robot = domain;
-  input.robot_domain = {"robot.pddl", robot.replace(robot.find("FULL"), 4, "(full ?p)")};
-  std::string human = domain;
-  input.human_domain = {"human.pddl", human.replace(human.find("FULL"), 4, "")};
-  input.robot_problem = input.human_problem = {"p.pddl", problem};
-  input.human_plan = {{"stow", {"a", "p"}}, {"stow", {"b", "p"}}, {"stow", {"c", "p"}}};
-  return input;
-}
-
 TEST(SessionCancel, FromAnotherThreadEndsALongSearch) {
   Session session{Options{}};
-  session.begin(endless());
+  session.begin(benchmarks::swappedTiles(5));
   std::chrono::steady_clock::time_point cancelled_at;
   std::thread other([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
@@ -215,7 +188,7 @@ TEST(SessionLimits, TheTimeLimitEndsALongSearch) {
   Options chosen;
   chosen.time_limit = 0.3;
   Session session(chosen);
-  session.begin(endless());
+  session.begin(benchmarks::swappedTiles(5));
   const auto began = std::chrono::steady_clock::now();
   think(session);
   EXPECT_EQ(code(session), 53);
@@ -226,8 +199,8 @@ TEST(SessionLimits, TheMemoryLimitEndsALongSearch) {
   Options chosen = options("paper");
   chosen.memory_limit = 20'000'000;
   Session session(chosen);
-  session.begin(endless());
-  talk(session, wanting({"(stowed a)", "(stowed b)", "(stowed c)"}));
+  session.begin(benchmarks::swappedTiles(5));
+  talk(session, [](const Literal& /*fluent*/) { return AnswerKind::Yes; });
   EXPECT_EQ(code(session), 54) << session.outcome().message;
 }
 
