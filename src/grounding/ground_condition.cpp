@@ -37,8 +37,7 @@ void ConditionGrounder::enter(const std::vector<pddl::Parameter>& variables,
 }
 
 void ConditionGrounder::pollLimits() {
-  const LimitReason limit = monitor_.poll();
-  if (limit != LimitReason::None) throw LimitReached(limit, "grounding");
+  pollOrThrow(monitor_, "grounding");
 }
 
 Alternatives ConditionGrounder::of(const pddl::LiftedAtom& atom, bool negated) {

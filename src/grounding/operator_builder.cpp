@@ -387,8 +387,7 @@ void OperatorBuilder::account(const Operator& op) {
 }
 
 void OperatorBuilder::pollLimits() {
-  const LimitReason reason = monitor_.poll();
-  if (reason != LimitReason::None) throw LimitReached(reason, "grounding");
+  pollOrThrow(monitor_, "grounding");
 }
 
 }  // namespace goal_alignment::grounding

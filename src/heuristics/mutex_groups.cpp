@@ -27,8 +27,7 @@ bool has(const FactSet& facts, FactId fact) {
 }
 
 void poll(LimitMonitor& monitor) {
-  const LimitReason reason = monitor.poll();
-  if (reason != LimitReason::None) throw LimitReached(reason, "the mutex groups");
+  pollOrThrow(monitor, "the mutex groups");
 }
 
 /// A set of facts that also knows its members by a bit each.

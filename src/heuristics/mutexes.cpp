@@ -149,10 +149,7 @@ class MutexTable::Fixpoint {
   }
 
  private:
-  void poll() {
-    const LimitReason reason = monitor_.poll();
-    if (reason != LimitReason::None) throw LimitReached(reason, "the mutex table");
-  }
+  void poll() { pollOrThrow(monitor_, "the mutex table"); }
 
   /// What may be true right after the part: what may stand beside its precondition, but for the
   /// deletes, and the adds.
