@@ -134,8 +134,7 @@ Alternatives ConditionGrounder::ofParts(std::vector<Alternatives> parts, bool co
 bool ConditionGrounder::contradicts(const FactSet& conjunction) const {
   return std::any_of(conjunction.begin(), conjunction.end(), [&](FactId fact) {
     const FactId opposite = facts_.opposite(fact);
-    return opposite != kNoFact &&
-           std::binary_search(conjunction.begin(), conjunction.end(), opposite);
+    return opposite != kNoFact && task::has(conjunction, opposite);
   });
 }
 
@@ -144,9 +143,7 @@ Alternatives ConditionGrounder::conjunction(const Alternatives& a, const Alterna
   for (const FactSet& left : a) {
     for (const FactSet& right : b) {
       pollLimits();
-      FactSet both;
-      std::set_union(left.begin(), left.end(), right.begin(), right.end(),
-                     std::back_inserter(both));
+      FactSet both = task::unite(left, right);
       if (!contradicts(both)) product.push_back(std::move(both));
     }
     if (product.size() > 2 * TooManyAlternatives::kMost) {

@@ -15,16 +15,13 @@ namespace goal_alignment::heuristics {
 using task::ConditionalEffect;
 using task::FactId;
 using task::FactSet;
+using task::has;
 using task::Operator;
 using task::OperatorId;
 using task::Task;
 using task::Word;
 
 namespace {
-
-bool has(const FactSet& facts, FactId fact) {
-  return std::binary_search(facts.begin(), facts.end(), fact);
-}
 
 void poll(LimitMonitor& monitor) {
   pollOrThrow(monitor, "the mutex groups");
