@@ -51,7 +51,8 @@ TEST(Outcome, OfAnException) {
   EXPECT_EQ(invalid_plan.code, OutcomeCode::HumanPlanInvalid);
   EXPECT_EQ(invalid_plan.failing_step, 4);
   EXPECT_NE(invalid_plan.message.find("step 5 (go): no"), std::string::npos);
-  EXPECT_EQ(outcomeOf(alignment::GoalNotExpected({}, "", false)).code, OutcomeCode::GoalNotExpected);
+  EXPECT_EQ(outcomeOf(alignment::GoalNotExpected({}, "", false)).code,
+            OutcomeCode::GoalNotExpected);
   EXPECT_EQ(outcomeOf(alignment::GoalsDiffer("two")).code, OutcomeCode::InvalidModel);
   EXPECT_EQ(outcomeOf(pddl::SyntaxError("f", {}, "m")).code, OutcomeCode::InvalidModel);
   EXPECT_EQ(outcomeOf(pddl::SemanticError("f", {}, "m")).code, OutcomeCode::InvalidModel);
