@@ -59,8 +59,7 @@ std::vector<Candidate> candidatesOf(const Problem& problem, const Limits& limits
   std::vector<Candidate> candidates;
   LimitMonitor monitor(limits);
   for (const pddl::Atom& atom : problem.expectation.finalState()) {
-    if (const LimitReason limit = monitor.poll(); limit != LimitReason::None)
-      throw LimitReached(limit, "finding what the person expects");
+    pollOrThrow(monitor, "finding what the person expects");
     const Literal fluent = {problem.human.name(atom), false};
     if (std::binary_search(problem.specified.begin(), problem.specified.end(), fluent)) continue;
     const bool is_static =

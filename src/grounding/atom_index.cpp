@@ -53,8 +53,7 @@ AtomIndex::ByPositions* AtomIndex::indexOver(std::size_t predicate, Positions po
   indices.push_back(std::make_unique<ByPositions>());
   indices.back()->positions = positions;
   for (const AtomId id : all_[predicate]) {
-    const LimitReason limit = monitor_.poll();
-    if (limit != LimitReason::None) throw LimitReached(limit, "grounding");
+    pollOrThrow(monitor_, "grounding");
     enter(*indices.back(), id);
   }
   return indices.back().get();

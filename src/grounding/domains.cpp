@@ -8,8 +8,7 @@
 namespace goal_alignment::grounding {
 
 void Domains::pollLimits() {
-  const LimitReason limit = monitor_.poll();
-  if (limit != LimitReason::None) throw LimitReached(limit, "grounding");
+  pollOrThrow(monitor_, "grounding");
 }
 
 const std::shared_ptr<const Domain>& Domains::ofType(pddl::TypeId type) {

@@ -16,8 +16,7 @@ FactTable::FactTable(const pddl::Model& model, const RelaxedReachability& reache
       complement_(reached.atoms.size(), kNoFact) {
   LimitMonitor monitor(limits);
   for (AtomId id = 0; id < fact_.size(); ++id) {
-    const LimitReason limit = monitor.poll();
-    if (limit != LimitReason::None) throw LimitReached(limit, "grounding");
+    pollOrThrow(monitor, "grounding");
     if (changes[id]) fact_[id] = add(id, false);
   }
 }

@@ -37,8 +37,7 @@ void ConditionGrounder::enter(const std::vector<pddl::Parameter>& variables,
 }
 
 void ConditionGrounder::pollLimits() {
-  const LimitReason limit = monitor_.poll();
-  if (limit != LimitReason::None) throw LimitReached(limit, "grounding");
+  pollOrThrow(monitor_, "grounding");
 }
 
 Alternatives ConditionGrounder::of(const pddl::LiftedAtom& atom, bool negated) {
@@ -135,8 +134,7 @@ Alternatives ConditionGrounder::ofParts(std::vector<Alternatives> parts, bool co
 bool ConditionGrounder::contradicts(const FactSet& conjunction) const {
   return std::any_of(conjunction.begin(), conjunction.end(), [&](FactId fact) {
     const FactId opposite = facts_.opposite(fact);
-    return opposite != kNoFact &&
-           std::binary_search(conjunction.begin(), conjunction.end(), opposite);
+    return opposite != kNoFact && task::has(conjunction, opposite);
   });
 }
 
@@ -145,9 +143,7 @@ Alternatives ConditionGrounder::conjunction(const Alternatives& a, const Alterna
   for (const FactSet& left : a) {
     for (const FactSet& right : b) {
       pollLimits();
-      FactSet both;
-      std::set_union(left.begin(), left.end(), right.begin(), right.end(),
-                     std::back_inserter(both));
+      FactSet both = task::unite(left, right);
       if (!contradicts(both)) product.push_back(std::move(both));
     }
     if (product.size() > 2 * TooManyAlternatives::kMost) {

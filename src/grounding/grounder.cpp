@@ -42,10 +42,7 @@ class TaskBuilder {
 
  private:
   /// Called once an instantiation, in each pass over them.
-  void pollLimits() {
-    const LimitReason reason = monitor_.poll();
-    if (reason != LimitReason::None) throw LimitReached(reason, "grounding");
-  }
+  void pollLimits() { pollOrThrow(monitor_, "grounding"); }
 
   /// An atom changes when it is not initially true, or some instantiation deletes it and does not
   /// add it under any circumstances.

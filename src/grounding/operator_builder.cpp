@@ -19,13 +19,9 @@ using task::Operator;
 
 namespace {
 
-bool contains(const FactSet& set, std::uint32_t element) {
-  return std::binary_search(set.begin(), set.end(), element);
-}
-
 void subtract(FactSet& from, const FactSet& what) {
   from.erase(std::remove_if(from.begin(), from.end(),
-                            [&](std::uint32_t element) { return contains(what, element); }),
+                            [&](std::uint32_t element) { return task::has(what, element); }),
              from.end());
 }
 
@@ -202,8 +198,7 @@ void OperatorBuilder::addGroup(const Group& group) {
 
 /// Leaves out of the condition what holds anyway; false where it can't hold.
 bool OperatorBuilder::assume(const FactSet& precondition, FactSet& condition) const {
-  FactSet both = precondition;
-  insert(both, condition);
+  const FactSet both = task::unite(precondition, condition);
   subtract(condition, precondition);
   return !conditions_.contradicts(both);
 }
@@ -272,7 +267,7 @@ bool OperatorBuilder::completeComplements(const Operator& op) {
   deleted = task::makeFactSet(std::move(deleted));
   for (const ConditionalEffect& adding : op.conditional) {
     const bool negated = std::any_of(adding.add.begin(), adding.add.end(), [&](AtomId atom) {
-      return facts_.complement(atom) != kNoFact && contains(deleted, atom);
+      return facts_.complement(atom) != kNoFact && task::has(deleted, atom);
     });
     if (!negated) continue;
     for (const task::FactId fact : adding.condition)
@@ -387,8 +382,7 @@ void OperatorBuilder::account(const Operator& op) {
 }
 
 void OperatorBuilder::pollLimits() {
-  const LimitReason reason = monitor_.poll();
-  if (reason != LimitReason::None) throw LimitReached(reason, "grounding");
+  pollOrThrow(monitor_, "grounding");
 }
 
 }  // namespace goal_alignment::grounding

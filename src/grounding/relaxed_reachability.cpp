@@ -159,7 +159,7 @@ class Join {
                               result_.instantiations.size() * kAccountedBytesPerInstantiation +
                               arguments_ * sizeof(ObjectId) + index_.bytes();
     if (bytes > limits_.bytes) reason = LimitReason::Memory;
-    if (reason != LimitReason::None) throw LimitReached(reason, "grounding");
+    throwIfReached(reason, "grounding");
   }
 
   void intern(const Atom& atom) {

@@ -206,10 +206,7 @@ class Compiler {
     rules_.push_back(std::move(rule));
   }
 
-  void pollLimits() {
-    const LimitReason limit = monitor_.poll();
-    if (limit != LimitReason::None) throw LimitReached(limit, "grounding");
-  }
+  void pollLimits() { pollOrThrow(monitor_, "grounding"); }
 
   bool inhabited(pddl::TypeId type) {
     pollLimits();

@@ -15,6 +15,7 @@ namespace goal_alignment::heuristics {
 using task::ConditionalEffect;
 using task::FactId;
 using task::FactSet;
+using task::has;
 using task::Operator;
 using task::OperatorId;
 using task::Task;
@@ -22,13 +23,8 @@ using task::Word;
 
 namespace {
 
-bool has(const FactSet& facts, FactId fact) {
-  return std::binary_search(facts.begin(), facts.end(), fact);
-}
-
 void poll(LimitMonitor& monitor) {
-  const LimitReason reason = monitor.poll();
-  if (reason != LimitReason::None) throw LimitReached(reason, "the mutex groups");
+  pollOrThrow(monitor, "the mutex groups");
 }
 
 /// A set of facts that also knows its members by a bit each.

@@ -58,20 +58,14 @@ bool implies(const FactSet& facts, const FactSet& condition) {
   return std::includes(facts.begin(), facts.end(), condition.begin(), condition.end());
 }
 
-FactSet both(const FactSet& one, const FactSet& other) {
-  FactSet all = one;
-  all.insert(all.end(), other.begin(), other.end());
-  return task::makeFactSet(std::move(all));
-}
-
 Part makePart(const task::Task& task, OperatorId id, const ConditionalEffect* effect) {
   const task::Operator& op = task.operators[id];
   Part part = {id, op.precondition, op.add, op.del, {}};
-  if (effect != nullptr) part.precondition = both(part.precondition, effect->condition);
+  if (effect != nullptr) part.precondition = task::unite(part.precondition, effect->condition);
   for (const ConditionalEffect& other : op.conditional) {
     if (implies(part.precondition, other.condition)) {
-      part.add = both(part.add, other.add);
-      part.del = both(part.del, other.del);
+      part.add = task::unite(part.add, other.add);
+      part.del = task::unite(part.del, other.del);
     } else if (!other.add.empty()) {
       part.may.push_back(&other);
     }
@@ -124,7 +118,7 @@ class MutexTable::Fixpoint {
       work_.push(i);
       FactSet needed = parts_[i].precondition;
       for (const ConditionalEffect* effect : parts_[i].may)
-        needed = both(needed, effect->condition);
+        needed = task::unite(needed, effect->condition);
       if (parts_[i].precondition.empty()) without_precondition_.push_back(i);
       for (const FactId fact : needed)
         needed_by_[fact].push_back(i);
@@ -149,10 +143,7 @@ class MutexTable::Fixpoint {
   }
 
  private:
-  void poll() {
-    const LimitReason reason = monitor_.poll();
-    if (reason != LimitReason::None) throw LimitReached(reason, "the mutex table");
-  }
+  void poll() { pollOrThrow(monitor_, "the mutex table"); }
 
   /// What may be true right after the part: what may stand beside its precondition, but for the
   /// deletes, and the adds.
@@ -171,8 +162,8 @@ class MutexTable::Fixpoint {
     }
     added_ = part.add;
     for (const ConditionalEffect* effect : part.may) {
-      if (!table_.contains(both(part.precondition, effect->condition)))
-        added_ = both(added_, effect->add);
+      if (!table_.contains(task::unite(part.precondition, effect->condition)))
+        added_ = task::unite(added_, effect->add);
     }
     for (const FactId fact : part.del)
       task::clearBit(after_.data(), fact);

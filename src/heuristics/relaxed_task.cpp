@@ -15,11 +15,6 @@ namespace {
 
 using RowList = std::vector<std::vector<std::uint32_t>>;
 
-task::FactSet both(task::FactSet one, const task::FactSet& other) {
-  one.insert(one.end(), other.begin(), other.end());
-  return task::makeFactSet(std::move(one));
-}
-
 RowList transposed(const RowList& rows, std::size_t columns) {
   RowList result(columns);
   for (std::uint32_t i = 0; i < rows.size(); ++i) {
@@ -66,7 +61,8 @@ RelaxedTask::RelaxedTask(const task::Task& task, const task::Goal& goal)
     const task::Operator& whole = task.operators[op];
     if (!whole.add.empty()) add_part(op, whole.precondition, whole.add);
     for (const task::ConditionalEffect& effect : whole.conditional) {
-      if (!effect.add.empty()) add_part(op, both(whole.precondition, effect.condition), effect.add);
+      if (!effect.add.empty())
+        add_part(op, task::unite(whole.precondition, effect.condition), effect.add);
     }
     if (part_rows[op].size() > 1) several_parts = true;
   }

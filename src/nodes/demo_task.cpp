@@ -13,9 +13,8 @@
 #include "goal_alignment/AlignAction.h"
 #include "goal_alignment/ExecutePlanAction.h"
 #include "goal_alignment/execution/names.h"
-#include "goal_alignment/pddl/source_position.h"
+#include "goal_alignment/ros_interface/model_source.h"
 #include "goal_alignment/ros_interface/node_constants.h"
-#include "goal_alignment/ros_interface/package_files.h"
 #include "goal_alignment/ros_interface/task_file.h"
 #include "goal_alignment/ros_interface/task_story.h"
 
@@ -35,12 +34,6 @@ void interrupt(int /*signal*/) {
 
 bool goesOn() {
   return ros::ok() && interrupted == 0;
-}
-
-phrasing::Phrases phrasesOf(const std::string& file) {
-  if (file.empty()) return {};
-  const pddl::Source source = pddl::readFile(ros_interface::resolveFile(file));
-  return phrasing::Phrases::fromYaml(source.text, source.name);
 }
 
 template <typename Client>
@@ -119,7 +112,8 @@ void run() {
   ros::NodeHandle node;
   const ros::NodeHandle private_node("~");
   const HumanTask task = ros_interface::taskOfFile(private_node.param<std::string>("task", ""));
-  TaskStory story(std::cout, phrasesOf(private_node.param<std::string>("phrases", "")),
+  TaskStory story(std::cout,
+                  ros_interface::phrasesOf(private_node.param<std::string>("phrases", "")),
                   !private_node.param("interactive", false));
   ros::AsyncSpinner spinner(1);
   spinner.start();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "declaration_reader.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "formula_reader.h"
@@ -115,6 +116,17 @@ std::vector<ast::Predicate> readFunctions(TokenReader& reader) {
     readFunctionType(reader);
   }
   return functions;
+}
+
+void expectSection(const TokenReader& reader, const Sections& sections) {
+  const auto here = [&](const std::string& keyword) { return reader.atWord(keyword); };
+  const auto refused = std::find_if(sections.refused.begin(), sections.refused.end(), here);
+  if (refused != sections.refused.end()) {
+    reader.failUnsupported(reader.current().position, "'" + *refused + "'");
+  }
+  if (std::any_of(sections.known.begin(), sections.known.end(), here)) return;
+  const std::string found(reader.atWord() ? reader.current().text : "");
+  reader.failExpecting(sections.expected, suggestion(found, sections.known));
 }
 
 void SectionLog::note(const TokenReader& reader) {

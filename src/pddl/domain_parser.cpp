@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
-#include <vector>
 
 #include "action_reader.h"
 #include "declaration_reader.h"
 #include "goal_alignment/common/ground_name.h"
-#include "goal_alignment/pddl/near_name.h"
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/pddl/parser.h"
 
 namespace goal_alignment::pddl {
 
 namespace {
 
-const std::vector<std::string> kSections{":requirements", ":types",     ":constants",
-                                         ":predicates",   ":functions", ":action"};
-
-/// Sections of PDDL's later versions, and of its earliest.
-const std::vector<std::string> kRefusedSections{
-    ":durative-action", ":derived", ":axiom",    ":constraints", ":process",
-    ":event",           ":extends", ":timeless", ":safety",      ":domain-variables"};
+/// Refused are sections of PDDL's later versions, and of its earliest.
+const Sections kSections{
+    {":requirements", ":types", ":constants", ":predicates", ":functions", ":action"},
+    {":durative-action", ":derived", ":axiom", ":constraints", ":process", ":event", ":extends",
+     ":timeless", ":safety", ":domain-variables"},
+    "a section of a domain, such as ':action'"};
 
 /// (define (domain name) section …), the sections in any order: nothing is looked up before
 /// linking, so none needs to stand before another.
@@ -42,7 +40,8 @@ class DomainParser {
 
  private:
   void readSection() {
-    refuseUnknownSection();
+    reader_.setPlace("domain " + inQuotes(domain_.name.spelling));
+    expectSection(reader_, kSections);
     // Actions alone come as often as they like.
     if (!reader_.atWord(":action")) log_.note(reader_);
     const std::string keyword = toLower(reader_.word("a section").text);
@@ -60,21 +59,6 @@ class DomainParser {
     } else {
       domain_.actions.push_back(readAction(reader_));
     }
-  }
-
-  // Known to PDDL but not to us, or known to nobody: two different errors.
-  void refuseUnknownSection() {
-    reader_.setPlace("domain " + inQuotes(domain_.name.spelling));
-    for (const std::string& refused : kRefusedSections) {
-      if (reader_.atWord(refused)) {
-        reader_.failUnsupported(reader_.current().position, "'" + refused + "'");
-      }
-    }
-    for (const std::string& known : kSections) {
-      if (reader_.atWord(known)) return;
-    }
-    const std::string found(reader_.atWord() ? reader_.current().text : "");
-    reader_.failExpecting("a section of a domain, such as ':action'", suggestion(found, kSections));
   }
 
   TokenReader reader_;

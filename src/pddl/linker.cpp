@@ -29,8 +29,7 @@ LinkContext::LinkContext(const ast::Domain& domain_ast, const ast::Problem& prob
 }
 
 void LinkContext::pollLimits() {
-  const LimitReason limit = monitor.poll();
-  if (limit != LimitReason::None) throw LimitReached(limit, "reading " + problem.source.name);
+  pollOrThrow(monitor, "reading ", problem.source.name);
 }
 
 TypeId LinkContext::typeOf(const ast::TypedName& typed, const std::string& source_name) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
-#include <vector>
 
 #include "declaration_reader.h"
 #include "formula_reader.h"
 #include "goal_alignment/common/ground_name.h"
-#include "goal_alignment/pddl/near_name.h"
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/pddl/parser.h"
 #include "number_reader.h"
 
@@ -13,9 +12,9 @@ namespace goal_alignment::pddl {
 
 namespace {
 
-const std::vector<std::string> kSections{":domain", ":requirements", ":objects",
-                                         ":init",   ":goal",         ":metric"};
-const std::vector<std::string> kRefusedSections{":constraints", ":length", ":situation"};
+const Sections kSections{{":domain", ":requirements", ":objects", ":init", ":goal", ":metric"},
+                         {":constraints", ":length", ":situation"},
+                         "a section of a problem, such as ':init'"};
 
 /// (define (problem name) section …), in any order. Objects, initial facts and a metric may be
 /// missing; the domain's name and a goal may not, since no plan could be asked for.
@@ -41,7 +40,8 @@ class ProblemParser {
 
  private:
   void readSection() {
-    refuseUnknownSection();
+    reader_.setPlace("problem " + inQuotes(problem_.name.spelling));
+    expectSection(reader_, kSections);
     log_.note(reader_);
     const Token token = reader_.word("a section");
     const std::string keyword = toLower(token.text);
@@ -135,20 +135,6 @@ class ProblemParser {
     reader_.word("total-cost", "'total-cost'");
     reader_.close();
     problem_.minimises_total_cost = true;
-  }
-
-  void refuseUnknownSection() {
-    reader_.setPlace("problem " + inQuotes(problem_.name.spelling));
-    for (const std::string& refused : kRefusedSections) {
-      if (reader_.atWord(refused)) {
-        reader_.failUnsupported(reader_.current().position, "'" + refused + "'");
-      }
-    }
-    for (const std::string& known : kSections) {
-      if (reader_.atWord(known)) return;
-    }
-    const std::string found(reader_.atWord() ? reader_.current().text : "");
-    reader_.failExpecting("a section of a problem, such as ':init'", suggestion(found, kSections));
   }
 
   // Called at the closing parenthesis, where the missing section should have stood.

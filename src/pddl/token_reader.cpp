@@ -66,8 +66,7 @@ void TokenReader::finish() {
 }
 
 Token TokenReader::take() {
-  const LimitReason limit = monitor_.poll();
-  if (limit != LimitReason::None) throw LimitReached(limit, "reading " + source_.name);
+  pollOrThrow(monitor_, "reading ", source_.name);
   if (current_.text.size() > kLongestWord) {
     fail(current_.position, inQuotes(current_.text) + " is longer than " +
                                 std::to_string(kLongestWord) + " characters");

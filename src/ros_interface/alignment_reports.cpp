@@ -8,14 +8,15 @@
 
 namespace goal_alignment::ros_interface {
 
-void AlignmentRunner::report(GoalTicket& ticket, const std::string& message) {
+void AlignmentRunner::report(GoalTicket& ticket, const session::Snapshot& now,
+                             const std::string& message) {
   const std::string plan_break = kept_.session->humanPlanInRobotModel();
   if (plan_break != kept_.told_break && !plan_break.empty()) {
     announcer_.tell("the human's plan in the robot's model: " + plan_break);
   }
   kept_.told_break = plan_break;
 
-  const AlignmentState state = stateMessage(message);
+  const AlignmentState state = stateMessage(now, message);
   announcer_.publish(state);
   AlignFeedback feedback;
   feedback.phase = state.phase;
@@ -24,36 +25,36 @@ void AlignmentRunner::report(GoalTicket& ticket, const std::string& message) {
   feedback.questions_asked = state.questions_asked;
   feedback.max_remaining = state.max_remaining;
   ticket.publishFeedback(feedback);
-  ticket.setInterim(figures());
+  ticket.setInterim(figures(now));
 }
 
-void AlignmentRunner::showToExplainer() {
+void AlignmentRunner::showToExplainer(const session::Snapshot& now) {
   Explained explained;
-  explained.snapshot = kept_.session->snapshot();
+  explained.snapshot = now;
   if (const auto& question = kept_.session->question()) explained.open_question = question->fluents;
-  if (explained.snapshot.state == session::State::Done) {
+  if (now.state == session::State::Done) {
     explained.outcome_conflict = kept_.session->outcome().conflict;
   }
   explained.phrases = kept_.phrases;
   explainer_.show(std::move(explained));
 }
 
-AlignmentState AlignmentRunner::stateMessage(const std::string& message) const {
-  AlignmentState state = toMessage(kept_.session->snapshot(), kept_.phrases, kept_.times);
+AlignmentState AlignmentRunner::stateMessage(const session::Snapshot& now,
+                                             const std::string& message) const {
+  AlignmentState state = toMessage(now, kept_.phrases, kept_.times);
   state.session_id = kept_.id;
   state.message = message;
   state.human_plan_break = kept_.told_break;
   return state;
 }
 
-AlignResult AlignmentRunner::figures() const {
-  const session::Snapshot snapshot = kept_.session->snapshot();
+AlignResult AlignmentRunner::figures(const session::Snapshot& now) const {
   const session::Statistics& statistics = kept_.session->statistics();
   AlignResult result;
   result.failing_step = -1;
   result.session_id = kept_.id;
-  result.candidates = toMessage(snapshot, kept_.phrases, kept_.times).candidates;
-  result.questions = static_cast<std::uint32_t>(snapshot.questions_asked - kept_.questions_before);
+  result.candidates = toMessage(now, kept_.phrases, kept_.times).candidates;
+  result.questions = static_cast<std::uint32_t>(now.questions_asked - kept_.questions_before);
   result.planner_calls = static_cast<std::uint32_t>(statistics.planner_calls - kept_.calls_before);
   result.thinking_time = statistics.total - kept_.thinking_before;
   result.waiting_time = kept_.waiting_time;

@@ -18,7 +18,6 @@ namespace goal_alignment::ros_interface {
 namespace {
 
 using session::AnswerKind;
-using session::CandidateState;
 using session::OutcomeCode;
 using session::State;
 
@@ -27,20 +26,6 @@ class ContradictionError : public GoalError {
  public:
   using GoalError::GoalError;
 };
-
-const char* wordFor(AnswerKind kind) {
-  switch (kind) {
-    case AnswerKind::No:
-      return "no";
-    case AnswerKind::Yes:
-      return "yes";
-    case AnswerKind::Unsure:
-      return "don't know";
-    case AnswerKind::Decline:
-      return "no more questions, please";
-  }
-  return "";
-}
 
 // The dialogue has come to its end, so there is nothing to take up again after a crash.
 bool isDecided(OutcomeCode code) {
@@ -144,7 +129,7 @@ void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
   kept.task_id = goal.task.task_id;
   kept.ends_when_unsure = goal.unsure_policy == AlignGoal::ABORT;
   try {
-    kept.phrases = phrasesOf(options);
+    kept.phrases = phrasesOf(options.phrases);
   } catch (const std::exception& error) {
     // Wording is no reason to refuse a task.
     announcer_.tell(fmt::format("no phrases: {}", error.what()));
@@ -180,26 +165,6 @@ void AlignmentRunner::continueSession(const AlignGoal& goal, const NodeOptions& 
   if (!not_wanted.empty()) apply({not_wanted, AnswerKind::No, goal.task.person, 0});
 }
 
-std::vector<Literal> AlignmentRunner::candidatesOf(const std::vector<Fluent>& fluents,
-                                                   const std::string& field) const {
-  std::vector<Literal> literals;
-  try {
-    literals = toLiterals(fluents, field);
-  } catch (const std::invalid_argument& error) {
-    throw GoalError(error.what());
-  }
-  const session::Snapshot snapshot = kept_.session->snapshot();
-  for (const Literal& literal : literals) {
-    const bool known =
-        std::any_of(snapshot.candidates.begin(), snapshot.candidates.end(),
-                    [&](const auto& candidate) { return candidate.fluent == literal; });
-    if (!known) {
-      throw GoalError(fmt::format("{}: {} is no candidate of this session", field, literal.text()));
-    }
-  }
-  return literals;
-}
-
 void AlignmentRunner::warnAboutUnknown(const NodeOptions& options) {
   for (const std::string& key : options.unknown) {
     if (!warned_about_.insert(key).second) continue;
@@ -208,31 +173,32 @@ void AlignmentRunner::warnAboutUnknown(const NodeOptions& options) {
 }
 
 void AlignmentRunner::loop(GoalTicket& ticket) {
-  report(ticket, "");
+  report(ticket, kept_.session->snapshot(), "");
   while (!ticket.ended()) {
     applyAnswers();
     takeUpFacts();
-    const State state = step();
-    if (state == State::Done && hasEnded()) break;
-    if (state == State::AwaitingAnswer) {
-      waitForAnswer(ticket);
+    const session::Snapshot now = step();
+    if (now.state == State::Done && hasEnded()) break;
+    if (now.state == State::AwaitingAnswer) {
+      waitForAnswer(ticket, now);
     } else {
-      report(ticket, "");
+      report(ticket, now, "");
     }
   }
   closeQuestion();
   bridge_.endSession();
 }
 
-session::State AlignmentRunner::step() {
+session::Snapshot AlignmentRunner::step() {
   const auto began = Clock::now();
   const State state = kept_.session->step();
   const std::chrono::duration<double> took = Clock::now() - began;
   ROS_DEBUG("a step of %.3f s led to phase %d", took.count(), int{phaseOf(state)});
   if (!kept_.models_known && kept_.session->robotModel() != nullptr) takeUpModels();
-  bridge_.update(kept_.session->snapshot());
-  showToExplainer();
-  return kept_.session->state();
+  session::Snapshot now = kept_.session->snapshot();
+  bridge_.update(now);
+  showToExplainer(now);
+  return now;
 }
 
 // Once, as soon as the models are read.
@@ -240,25 +206,6 @@ void AlignmentRunner::takeUpModels() {
   kept_.models_known = true;
   facts_.setModel(*kept_.session->robotModel());
   takeUpJournal();
-}
-
-// What was answered before the dialogue was broken off, perhaps by a crash, is not asked again.
-void AlignmentRunner::takeUpJournal() {
-  std::vector<Literal> known;
-  for (const JournalAnswer& answer : std::exchange(kept_.journaled, {})) {
-    // Under this policy "don't know" would end the dialogue before it begins.
-    const bool useless = answer.kind == AnswerKind::Unsure && kept_.ends_when_unsure;
-    if (useless || isAnswered(answer.fluent)) continue;
-    const auto receipt = kept_.session->answer({answer.fluent}, answer.kind, answer.answered_by);
-    if (!receipt.accepted) {
-      ROS_WARN("an answer of the journal is left out: %s", receipt.message.c_str());
-      continue;
-    }
-    kept_.times[answer.fluent] = answer.at;
-    known.push_back(answer.fluent);
-  }
-  if (known.empty()) return;
-  announcer_.tell(fmt::format("answered before this dialogue was broken off: {}", spoken(known)));
 }
 
 void AlignmentRunner::takeUpFacts() {
@@ -285,131 +232,6 @@ bool AlignmentRunner::hasEnded() {
   return bridge_.endSessionIfIdle();
 }
 
-void AlignmentRunner::applyAnswers() {
-  for (const AcceptedAnswer& answer : bridge_.take()) {
-    const session::Receipt receipt = apply(answer);
-    if (!receipt.accepted) {
-      // The bridge knows all of the session's reasons, so this is a fault of ours.
-      ROS_ERROR("an accepted answer was refused by the session: %s", receipt.message.c_str());
-    }
-    // A dialogue that was declined is over; what came after must not begin it anew.
-    if (kept_.session->state() == State::Done) return;
-  }
-}
-
-session::Receipt AlignmentRunner::apply(const AcceptedAnswer& answer) {
-  std::vector<Literal> first;
-  std::vector<Literal> again;
-  for (const Literal& fluent : answer.fluents) {
-    (isAnswered(fluent) ? again : first).push_back(fluent);
-  }
-  session::Session& session = *kept_.session;
-  const bool declined = answer.kind == AnswerKind::Decline;
-  session::Receipt receipt{true, ""};
-  if (!first.empty() || declined) receipt = session.answer(first, answer.kind, answer.answered_by);
-  if (receipt.accepted && !again.empty()) {
-    receipt = session.revise(again, answer.kind, answer.answered_by);
-  }
-  if (!receipt.accepted) return receipt;
-  for (const Literal& fluent : answer.fluents)
-    kept_.times[fluent] = stampNow();
-  kept_.silences = 0;
-  writeJournal();
-  announcer_.tell(fmt::format(
-      "answer{}: {}{}", answer.answered_by.empty() ? "" : " from " + answer.answered_by,
-      wordFor(answer.kind), answer.fluents.empty() ? "" : ": " + spoken(answer.fluents)));
-  return receipt;
-}
-
-void AlignmentRunner::writeJournal() const {
-  std::vector<JournalAnswer> answers;
-  for (const auto& candidate : kept_.session->snapshot().candidates) {
-    const auto time = kept_.times.find(candidate.fluent);
-    JournalAnswer answer{candidate.fluent, AnswerKind::No, candidate.answered_by,
-                         time == kept_.times.end() ? ros::Time() : time->second};
-    if (candidate.state == CandidateState::Wanted) {
-      answer.kind = AnswerKind::Yes;
-    } else if (candidate.state == CandidateState::Unsure) {
-      answer.kind = AnswerKind::Unsure;
-    } else if (candidate.state != CandidateState::NotWanted) {
-      continue;
-    }
-    answers.push_back(std::move(answer));
-  }
-  if (!answers.empty()) journal_.write(answers);
-}
-
-bool AlignmentRunner::isAnswered(const Literal& fluent) const {
-  const session::Snapshot snapshot = kept_.session->snapshot();
-  return std::any_of(
-      snapshot.candidates.begin(), snapshot.candidates.end(), [&](const auto& candidate) {
-        return candidate.fluent == fluent && (candidate.state == CandidateState::Wanted ||
-                                              candidate.state == CandidateState::NotWanted ||
-                                              candidate.state == CandidateState::Unsure);
-      });
-}
-
-void AlignmentRunner::waitForAnswer(GoalTicket& ticket) {
-  const session::QuestionView& view = *kept_.session->question();
-  // A new world may give an old question a new reason.
-  const bool same = open_.question_id != 0 && bridge_.openId() == open_.question_id &&
-                    open_fluents_ == std::set<Literal>(view.fluents.begin(), view.fluents.end()) &&
-                    open_.why == kept_.phrases.reason(view.conflict, view.conflict_proven);
-  const auto began = Clock::now();
-  if (!same) openQuestion(ticket);
-  const QuestionBridge::Wake wake = bridge_.wait(open_until_);
-  const std::chrono::duration<double> waited = Clock::now() - began;
-  kept_.waiting_time += waited.count();
-  if (wake == QuestionBridge::Wake::TimedOut) treatSilence();
-  // Dialogue nodes leave the question at once, not only when the next one is known.
-  if (bridge_.openId() != open_.question_id) closeQuestion();
-}
-
-// A question put again has a new id, so that a dialogue node leaves the old call.
-void AlignmentRunner::treatSilence() {
-  const auto tries = static_cast<unsigned>(kept_.options.ask_retries) + 1;
-  if (++kept_.silences < tries) {
-    announcer_.tell(fmt::format("no answer to question {}; it is put again", open_.question_id));
-    closeQuestion();
-    return;
-  }
-  const double timeout = kept_.options.ask_timeout;
-  kept_.session->giveUpWaiting(
-      tries == 1 ? fmt::format("nobody answered within {} s", timeout)
-                 : fmt::format("nobody answered {} times within {} s", tries, timeout));
-}
-
-void AlignmentRunner::openQuestion(GoalTicket& ticket) {
-  const session::QuestionView& view = *kept_.session->question();
-  open_ = toMessage(view, kept_.phrases);
-  open_fluents_ = {view.fluents.begin(), view.fluents.end()};
-  open_.session_id = kept_.id;
-  open_.person = kept_.person;
-  open_.question_id = bridge_.open(view.fluents);
-  open_until_ = Clock::time_point::max();
-  if (kept_.options.ask_timeout > 0) {
-    const std::chrono::duration<double> timeout(kept_.options.ask_timeout);
-    open_until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
-    open_.expires = stampNow() + ros::Duration(kept_.options.ask_timeout);
-  }
-  // First of all the result that a cancel would take: it may come as soon as the question is seen.
-  report(ticket, open_.text);
-  open_ = announcer_.publish(open_);
-  announcer_.tell(fmt::format("question {}: {}{}{}", open_.question_id, open_.text,
-                              open_.why.empty() ? "" : " ", open_.why));
-  report(ticket, open_.text);
-  ask_human_.ask(open_);
-}
-
-void AlignmentRunner::closeQuestion() {
-  bridge_.close();
-  if (open_.question_id == 0) return;
-  open_ = Question{};
-  open_fluents_.clear();
-  ask_human_.withdraw();
-  announcer_.publishNoQuestion();
-}
-
 // False: a cancel was faster; the session then has ended as well and can be continued.
 bool AlignmentRunner::claimOutcome(GoalTicket& ticket) {
   const std::lock_guard<std::mutex> lock(running_mutex_);
@@ -432,7 +254,8 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
     outcome.code = OutcomeCode::Canceled;
     outcome.message = "canceled";
   }
-  AlignResult result = figures();
+  const session::Snapshot last = session.snapshot();
+  AlignResult result = figures(last);
   const AlignResult said = toMessage(outcome, kept_.phrases);
   result.outcome = said.outcome;
   result.message = said.message;
@@ -446,8 +269,8 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
     announcer_.publish(result.plan);
   }
   if (isDecided(outcome.code)) journal_.drop();
-  showToExplainer();
-  AlignmentState state = stateMessage(outcome.message);
+  showToExplainer(last);
+  AlignmentState state = stateMessage(last, outcome.message);
   state.phase = AlignmentState::DONE;
   state.outcome = result.outcome;
   announcer_.publish(state);

@@ -7,12 +7,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <ostream>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
+#include "descriptor.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 
@@ -78,9 +77,7 @@ std::optional<Reply> parseReply(const std::string& line, std::size_t fluents) {
 }
 
 ConsoleDialogue::WakePipe::WakePipe() {
-  if (pipe2(ends.data(), O_NONBLOCK | O_CLOEXEC) != 0) {
-    throw std::system_error(errno, std::generic_category(), "pipe");
-  }
+  if (pipe2(ends.data(), O_NONBLOCK | O_CLOEXEC) != 0) failWithErrno("pipe");
 }
 
 ConsoleDialogue::WakePipe::~WakePipe() {

@@ -18,6 +18,7 @@
 #include <system_error>
 #include <utility>
 
+#include "descriptor.h"
 #include "goal_alignment/pddl/source_position.h"
 
 namespace goal_alignment::ros_interface {
@@ -76,24 +77,6 @@ std::vector<JournalAnswer> fromText(const std::string& text, const std::string& 
   }
   return answers;
 }
-
-[[noreturn]] void failWithErrno(const std::string& what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
-
-class Descriptor {
- public:
-  Descriptor(const std::string& path, int flags) : number_(open(path.c_str(), flags, 0600)) {
-    if (number_ < 0) failWithErrno(path);
-  }
-  ~Descriptor() { close(number_); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int operator*() const { return number_; }
-
- private:
-  int number_;
-};
 
 void writeAll(int descriptor, const std::string& text, const std::string& path) {
   for (std::size_t done = 0; done < text.size();) {

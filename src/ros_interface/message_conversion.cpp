@@ -171,7 +171,8 @@ AlternativeGoal toMessage(const session::Alternative& alternative,
 AlignmentState toMessage(const session::Snapshot& snapshot, const phrasing::Phrases& phrases,
                          const AnswerTimes& times) {
   AlignmentState message;
-  message.phase = snapshot.planning ? AlignmentState::PLANNING : phaseOf(snapshot.state);
+  message.phase = phaseOf(snapshot.state);
+  if (snapshot.planning) message.phase = AlignmentState::PLANNING;
   message.progress = snapshot.progress;
   message.specified = toMessage(snapshot.specified, phrases);
   for (const auto& view : snapshot.candidates) {

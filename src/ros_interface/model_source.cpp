@@ -81,9 +81,9 @@ session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options) {
   return result;
 }
 
-phrasing::Phrases phrasesOf(const NodeOptions& options) {
-  if (options.phrases.empty()) return {};
-  const pddl::Source source = pddl::readFile(resolveFile(options.phrases));
+phrasing::Phrases phrasesOf(const std::string& file) {
+  if (file.empty()) return {};
+  const pddl::Source source = pddl::readFile(resolveFile(file));
   return phrasing::Phrases::fromYaml(source.text, source.name);
 }
 

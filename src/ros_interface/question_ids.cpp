@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <optional>
-#include <system_error>
 #include <utility>
+
+#include "descriptor.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
@@ -24,21 +24,14 @@ constexpr std::uint32_t kLargest = 0xF0000000;  // what is larger was not writte
 // An open and locked file; other processes wait for its end.
 class LockedFile {
  public:
-  explicit LockedFile(const std::string& path)
-      : descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-    if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX) == 0) return;
-    const int error = errno;
-    if (descriptor_ >= 0) close(descriptor_);
-    throw std::system_error(error, std::generic_category(), path);
+  explicit LockedFile(const std::string& path) : file_(path, O_RDWR | O_CREAT | O_CLOEXEC, 0644) {
+    if (flock(*file_, LOCK_EX) != 0) failWithErrno(path);
   }
-  ~LockedFile() { close(descriptor_); }
-  LockedFile(const LockedFile&) = delete;
-  LockedFile& operator=(const LockedFile&) = delete;
 
   // Nothing where the file holds no number.
   std::optional<std::uint32_t> read() const {
     std::array<char, 16> text{};
-    const ssize_t count = pread(descriptor_, text.data(), text.size(), 0);
+    const ssize_t count = pread(*file_, text.data(), text.size(), 0);
     std::uint32_t number = 0;
     const char* end = text.data() + std::max<ssize_t>(count, 0);
     const auto result = std::from_chars(text.data(), end, number);
@@ -49,13 +42,13 @@ class LockedFile {
   void write(std::uint32_t number) const {
     const std::string text = std::to_string(number) + "\n";
     const bool written =
-        pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size()) &&
-        ftruncate(descriptor_, static_cast<off_t>(text.size())) == 0 && fsync(descriptor_) == 0;
-    if (!written) throw std::system_error(errno, std::generic_category(), "writing question ids");
+        pwrite(*file_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size()) &&
+        ftruncate(*file_, static_cast<off_t>(text.size())) == 0 && fsync(*file_) == 0;
+    if (!written) failWithErrno("writing question ids");
   }
 
  private:
-  int descriptor_;
+  Descriptor file_;
 };
 
 // A first guess above what earlier runs without the file can have used: they asked, over the

@@ -39,8 +39,7 @@ void DecisionDiagram::limit(const Limits& limits) {
 }
 
 void DecisionDiagram::step() {
-  const LimitReason reason = monitor_.generated();
-  if (reason != LimitReason::None) throw LimitReached(reason, "an operation on decision diagrams");
+  throwIfReached(monitor_.generated(), "an operation on decision diagrams");
 }
 
 std::size_t DecisionDiagram::hash(std::size_t level, const Word* children) const {

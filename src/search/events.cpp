@@ -53,8 +53,7 @@ class EventBuilder {
   /// Goes on with the operator's effects from the index on, in the case that they come about and in
   /// those that they don't: told apart by which fact of the condition is the first to fail.
   void split(task::OperatorId id, const Operator& op, std::size_t index, const Case& so_far) {
-    const LimitReason reason = monitor_.generated(bytes_);
-    if (reason != LimitReason::None) throw LimitReached(reason, "the cases of conditional effects");
+    throwIfReached(monitor_.generated(bytes_), "the cases of conditional effects");
     if (!possible(so_far)) return;
     if (index == op.conditional.size()) {
       finish(id, so_far);

@@ -90,8 +90,7 @@ std::vector<GroupOrder> groupOrders(std::size_t groups, const std::vector<Event>
   GroupOrder close = order;
   double least = span(order, sets);
   for (int round = 0; round < kRounds; ++round) {
-    const LimitReason reason = monitor.poll();
-    if (reason != LimitReason::None) throw LimitReached(reason, "the order of the mutex groups");
+    pollOrThrow(monitor, "the order of the mutex groups");
     order = pulledTogether(std::move(order), sets);
     const double now = span(order, sets);
     if (now >= least) continue;

@@ -167,7 +167,7 @@ void Session::Implementation::conclude(const CandidateSet& achieved, const task:
   std::vector<Literal> promised = problem_->specified;
   const std::vector<Literal> kept = fluents(achieved);
   promised.insert(promised.end(), kept.begin(), kept.end());
-  const auto fault = validation::fault(problem_->robot, outcome.plan.steps, promised);
+  const auto fault = validation::fault(problem_->robot, outcome.plan.steps, promised, cancelOnly());
   if (fault) throw Exception("the plan found did not pass validation: " + *fault);
   finish(std::move(outcome));
   const std::chrono::duration<double> took = Limits::Clock::now() - began;
@@ -193,11 +193,12 @@ FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
     // The person's own plan is the one to prefer where it gives all that is needed.
     std::vector<Literal> all = problem_->specified;
     all.insert(all.end(), kept.begin(), kept.end());
-    if (!validation::fault(problem_->robot, problem_->human_plan, all)) {
+    if (!validation::fault(problem_->robot, problem_->human_plan, all, cancelOnly())) {
       plan.steps = problem_->human_plan;
     }
   }
-  const validation::Execution execution = validation::execute(problem_->robot, plan.steps);
+  const validation::Execution execution =
+      validation::execute(problem_->robot, plan.steps, cancelOnly());
   plan.cost = unit_costs_ ? static_cast<std::int64_t>(plan.steps.size()) : execution.cost();
   plan.guaranteed = problem_->specified;
   const CandidateSet asked = dialogue_.with(Knowledge::Wanted) | dialogue_.with(Knowledge::Unsure);
@@ -248,6 +249,12 @@ std::string Session::Implementation::listed(const std::vector<Literal>& literals
     text += (text.empty() ? "" : ", ") + (literal.negated ? "(not " + atom + ")" : atom);
   }
   return text;
+}
+
+std::string Session::Implementation::askedFor() const {
+  const std::string literals = listed(problem_->specified);
+  return literals + (literals.empty() || problem_->condition.empty() ? "" : ", ") +
+         problem_->condition;
 }
 
 }  // namespace goal_alignment::session

@@ -93,6 +93,14 @@ Limits Session::Implementation::limits() const {
   return result;
 }
 
+/// For the check of a plan once it is found: it must not be lost where the search for a better one
+/// has used up the time.
+Limits Session::Implementation::cancelOnly() const {
+  Limits result;
+  result.cancel = &cancel_;
+  return result;
+}
+
 double& Session::Implementation::stopwatch(Phase phase) {
   switch (phase) {
     case Phase::Read:
@@ -179,8 +187,7 @@ void Session::Implementation::checkWhole() {
   }
   const Check specified = robot().check(none, limits());
   if (specified.verdict == Verdict::Unachievable) {
-    finish(OutcomeCode::GoalUnsolvable,
-           "no plan can achieve what was asked for: " + listed(problem_->specified));
+    finish(OutcomeCode::GoalUnsolvable, "no plan can achieve what was asked for: " + askedFor());
   } else if (specified.verdict == Verdict::Unknown) {
     finish(outcomeOf(specified.limit),
            "the limits did not suffice to find out whether the specified goal can be achieved");

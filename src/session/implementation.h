@@ -58,6 +58,7 @@ class Session::Implementation {
   questions::Setting policySetting();
   std::vector<bool> unachievableAlone();
   Limits limits() const;
+  Limits cancelOnly() const;
   double& stopwatch(Phase phase);
   Phase nextPhase() const;
   void resume(Phase phase);
@@ -79,6 +80,7 @@ class Session::Implementation {
   std::vector<Alternative> alternatives() const;
   std::vector<Literal> fluents(const achievability::CandidateSet& set) const;
   std::string listed(const std::vector<Literal>& literals) const;
+  std::string askedFor() const;
 
   Options options_;
   alignas(64) CancelToken cancel_;  // apart from what the thread that works reads and writes

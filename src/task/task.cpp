@@ -2,6 +2,7 @@
 #include "goal_alignment/task/task.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "goal_alignment/task/state.h"
@@ -29,11 +30,21 @@ FactSet makeFactSet(std::vector<FactId> facts) {
   return facts;
 }
 
-Goal withFacts(Goal goal, const FactSet& facts) {
-  for (FactSet& alternative : goal.alternatives) {
-    alternative.insert(alternative.end(), facts.begin(), facts.end());
-    alternative = makeFactSet(std::move(alternative));
-  }
+FactSet unite(const FactSet& one, const FactSet& other) {
+  FactSet either;
+  either.reserve(one.size() + other.size());
+  std::set_union(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(either));
+  return either;
+}
+
+bool has(const FactSet& set, FactId fact) {
+  return std::binary_search(set.begin(), set.end(), fact);
+}
+
+Goal withFacts(Goal goal, std::vector<FactId> facts) {
+  const FactSet more = makeFactSet(std::move(facts));
+  for (FactSet& alternative : goal.alternatives)
+    alternative = unite(alternative, more);
   return goal;
 }
 

@@ -51,10 +51,7 @@ class Evaluation {
   }
 
  private:
-  void pollLimits() {
-    const LimitReason limit = monitor_.poll();
-    if (limit != LimitReason::None) throw LimitReached(limit, "executing a plan");
-  }
+  void pollLimits() { pollOrThrow(monitor_, "executing a plan"); }
 
   const pddl::Model& model_;
   const AtomSet& state_;

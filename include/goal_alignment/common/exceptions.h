@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "goal_alignment/common/limits.h"
 
@@ -24,5 +25,16 @@ class LimitReached : public Exception {
  private:
   LimitReason reason_;
 };
+
+/// Throws LimitReached where there is a reason to stop. Its words, `during` and then `what`, are
+/// put together only then, so that it may stand in the innermost loops.
+inline void throwIfReached(LimitReason reason, const char* during, std::string_view what = {}) {
+  if (reason != LimitReason::None) throw LimitReached(reason, std::string(during).append(what));
+}
+
+/// LimitMonitor::poll() for work that has no partial result.
+inline void pollOrThrow(LimitMonitor& monitor, const char* during, std::string_view what = {}) {
+  throwIfReached(monitor.poll(), during, what);
+}
 
 }  // namespace goal_alignment

@@ -77,32 +77,36 @@ class AlignmentRunner {
   void prepare(const AlignGoal& goal);
   void begin(const AlignGoal& goal, const NodeOptions& options);
   void continueSession(const AlignGoal& goal, const NodeOptions& options);
-  std::vector<Literal> candidatesOf(const std::vector<Fluent>& fluents,
-                                    const std::string& field) const;
   void warnAboutUnknown(const NodeOptions& options);
 
   void loop(GoalTicket& ticket);
-  State step();
+  session::Snapshot step();  // and how things stand after it
   void takeUpModels();
-  void takeUpJournal();
   void takeUpFacts();
   bool hasEnded();
-  void applyAnswers();
-  session::Receipt apply(const AcceptedAnswer& answer);
-  bool isAnswered(const Literal& fluent) const;
-  void waitForAnswer(GoalTicket& ticket);
-  void treatSilence();
-  void writeJournal() const;
-  void openQuestion(GoalTicket& ticket);
-  void closeQuestion();
   bool claimOutcome(GoalTicket& ticket);
   void conclude(GoalTicket& ticket);
   void refuse(GoalTicket& ticket, const session::Outcome& outcome);
 
-  void report(GoalTicket& ticket, const std::string& message);
-  void showToExplainer();
-  AlignmentState stateMessage(const std::string& message) const;
-  AlignResult figures() const;
+  // alignment_answers.cpp: how questions are put, and what becomes of the answers
+  std::vector<Literal> candidatesOf(const std::vector<Fluent>& fluents,
+                                    const std::string& field) const;
+  void takeUpJournal();
+  void applyAnswers();
+  void apply(const AcceptedAnswer& answer);
+  session::Receipt handOver(const AcceptedAnswer& answer);
+  void writeJournal() const;
+  std::set<Literal> answered() const;
+  void waitForAnswer(GoalTicket& ticket, const session::Snapshot& now);
+  void treatSilence();
+  void openQuestion(GoalTicket& ticket, const session::Snapshot& now);
+  void closeQuestion();
+
+  // alignment_reports.cpp: what is said about the session
+  void report(GoalTicket& ticket, const session::Snapshot& now, const std::string& message);
+  void showToExplainer(const session::Snapshot& now);
+  AlignmentState stateMessage(const session::Snapshot& now, const std::string& message) const;
+  AlignResult figures(const session::Snapshot& now) const;
   std::string spoken(const std::vector<Literal>& fluents) const;
   std::string storyOf(const AlignGoal& goal) const;
 

@@ -22,7 +22,8 @@ struct JournalAnswer {
 };
 
 /// What of a task its answers hold for, whatever the robot can do or finds: D^H, I^H, π^H, G^H and
-/// the person. Equal tasks have equal keys, across restarts and versions.
+/// the person. Equal tasks have equal keys, across restarts and versions. G^H is the goal given, or
+/// else that of the human's problem with all its conditions, whose text is part of the key.
 std::string journalKey(const session::Input& input, const std::string& person);
 
 /// Answers on disk, so that a dialogue that was broken off, by a cancel or by a crash, goes on

@@ -25,7 +25,7 @@ session::Input inputOf(const AlignGoal& goal, const NodeOptions& options);
 /// The session's options: the parameters, with what the goal says about them. Throws GoalError.
 session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options);
 
-/// The templates of the `phrases` parameter; none for "". Throws std::runtime_error.
-phrasing::Phrases phrasesOf(const NodeOptions& options);
+/// The templates of the file; none for "". Throws std::runtime_error.
+phrasing::Phrases phrasesOf(const std::string& file);
 
 }  // namespace goal_alignment::ros_interface

@@ -47,8 +47,8 @@ struct Goal {
   explicit Goal(std::vector<FactSet> disjunction) : alternatives(std::move(disjunction)) {}
 };
 
-/// The goal and these facts besides.
-Goal withFacts(Goal goal, const FactSet& facts);
+/// The goal and these facts besides, in any order.
+Goal withFacts(Goal goal, std::vector<FactId> facts);
 
 /// Facts, operators and an initial state. Goals are no part of it: one task serves many goal sets.
 struct Task {
@@ -68,5 +68,11 @@ std::vector<GroundName> names(const Task& task, const Plan& plan);
 
 /// Sorts and removes duplicates.
 FactSet makeFactSet(std::vector<FactId> facts);
+
+/// The facts of either. O(one + other).
+FactSet unite(const FactSet& one, const FactSet& other);
+
+/// O(log set).
+bool has(const FactSet& set, FactId fact);
 
 }  // namespace goal_alignment::task

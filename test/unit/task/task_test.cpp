@@ -35,6 +35,13 @@ TEST(Task, MakesSortedSets) {
   EXPECT_EQ(makeFactSet({}), FactSet{});
 }
 
+TEST(Task, UnitesSetsAndFindsFactsInThem) {
+  EXPECT_EQ(unite({1, 3}, {0, 3, 4}), (FactSet{0, 1, 3, 4}));
+  EXPECT_EQ(unite({}, {2}), FactSet{2});
+  EXPECT_TRUE(has({1, 3}, 3));
+  EXPECT_FALSE(has({1, 3}, 2));
+}
+
 TEST(State, HoldsFactsBeyondTheFirstWord) {
   const State state = initialState(threeFacts());
   EXPECT_EQ(state.size(), 2U);

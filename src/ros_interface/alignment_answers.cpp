@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the runner puts questions, and what becomes of the answers.
+#include <fmt/format.h>
+#include <ros/console.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "goal_alignment/ros_interface/alignment_runner.h"
+#include "goal_alignment/ros_interface/model_source.h"
+#include "goal_alignment/ros_interface/stamp.h"
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+using session::AnswerKind;
+using session::CandidateState;
+using session::CandidateView;
+
+const char* wordFor(AnswerKind kind) {
+  switch (kind) {
+    case AnswerKind::No:
+      return "no";
+    case AnswerKind::Yes:
+      return "yes";
+    case AnswerKind::Unsure:
+      return "don't know";
+    case AnswerKind::Decline:
+      return "no more questions, please";
+  }
+  return "";
+}
+
+// The answer that stands, where there is one.
+std::optional<AnswerKind> answerOf(const CandidateView& candidate) {
+  switch (candidate.state) {
+    case CandidateState::Wanted:
+      return AnswerKind::Yes;
+    case CandidateState::NotWanted:
+      return AnswerKind::No;
+    case CandidateState::Unsure:
+      return AnswerKind::Unsure;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::vector<Literal> AlignmentRunner::candidatesOf(const std::vector<Fluent>& fluents,
+                                                   const std::string& field) const {
+  std::vector<Literal> literals;
+  try {
+    literals = toLiterals(fluents, field);
+  } catch (const std::invalid_argument& error) {
+    throw GoalError(error.what());
+  }
+  const session::Snapshot snapshot = kept_.session->snapshot();
+  for (const Literal& literal : literals) {
+    const bool known =
+        std::any_of(snapshot.candidates.begin(), snapshot.candidates.end(),
+                    [&](const auto& candidate) { return candidate.fluent == literal; });
+    if (!known) {
+      throw GoalError(fmt::format("{}: {} is no candidate of this session", field, literal.text()));
+    }
+  }
+  return literals;
+}
+
+// What was answered before the dialogue was broken off, perhaps by a crash, is not asked again.
+void AlignmentRunner::takeUpJournal() {
+  const std::set<Literal> before = answered();
+  std::vector<Literal> known;
+  for (const JournalAnswer& answer : std::exchange(kept_.journaled, {})) {
+    // Under this policy "don't know" would end the dialogue before it begins.
+    const bool useless = answer.kind == AnswerKind::Unsure && kept_.ends_when_unsure;
+    if (useless || before.count(answer.fluent) > 0) continue;
+    const auto receipt = kept_.session->answer({answer.fluent}, answer.kind, answer.answered_by);
+    if (!receipt.accepted) {
+      ROS_WARN("an answer of the journal is left out: %s", receipt.message.c_str());
+      continue;
+    }
+    kept_.times[answer.fluent] = answer.at;
+    known.push_back(answer.fluent);
+  }
+  if (known.empty()) return;
+  announcer_.tell(fmt::format("answered before this dialogue was broken off: {}", spoken(known)));
+}
+
+void AlignmentRunner::applyAnswers() {
+  for (const AcceptedAnswer& answer : bridge_.take()) {
+    apply(answer);
+    // A dialogue that was declined is over; what came after must not begin it anew.
+    if (kept_.session->state() == State::Done) return;
+  }
+}
+
+void AlignmentRunner::apply(const AcceptedAnswer& answer) {
+  const session::Receipt receipt = handOver(answer);
+  if (!receipt.accepted) {
+    // The bridge knows all of the session's reasons, so this is a fault of ours.
+    ROS_ERROR("an accepted answer was refused by the session: %s", receipt.message.c_str());
+    return;
+  }
+  for (const Literal& fluent : answer.fluents)
+    kept_.times[fluent] = stampNow();
+  kept_.silences = 0;
+  writeJournal();
+  announcer_.tell(fmt::format(
+      "answer{}: {}{}", answer.answered_by.empty() ? "" : " from " + answer.answered_by,
+      wordFor(answer.kind), answer.fluents.empty() ? "" : ": " + spoken(answer.fluents)));
+}
+
+// To the session, which tells a first answer from one that revises another.
+session::Receipt AlignmentRunner::handOver(const AcceptedAnswer& answer) {
+  const std::set<Literal> before = answered();
+  std::vector<Literal> first;
+  std::vector<Literal> again;
+  for (const Literal& fluent : answer.fluents)
+    (before.count(fluent) > 0 ? again : first).push_back(fluent);
+  session::Receipt receipt{true, ""};
+  if (!first.empty() || answer.kind == AnswerKind::Decline) {
+    receipt = kept_.session->answer(first, answer.kind, answer.answered_by);
+  }
+  if (receipt.accepted && !again.empty()) {
+    receipt = kept_.session->revise(again, answer.kind, answer.answered_by);
+  }
+  return receipt;
+}
+
+void AlignmentRunner::writeJournal() const {
+  std::vector<JournalAnswer> answers;
+  for (const CandidateView& candidate : kept_.session->snapshot().candidates) {
+    const std::optional<AnswerKind> kind = answerOf(candidate);
+    if (!kind) continue;
+    const auto time = kept_.times.find(candidate.fluent);
+    answers.push_back({candidate.fluent, *kind, candidate.answered_by,
+                       time == kept_.times.end() ? ros::Time() : time->second});
+  }
+  if (!answers.empty()) journal_.write(answers);
+}
+
+std::set<Literal> AlignmentRunner::answered() const {
+  std::set<Literal> fluents;
+  for (const CandidateView& candidate : kept_.session->snapshot().candidates) {
+    if (answerOf(candidate)) fluents.insert(candidate.fluent);
+  }
+  return fluents;
+}
+
+void AlignmentRunner::waitForAnswer(GoalTicket& ticket, const session::Snapshot& now) {
+  const session::QuestionView& view = *kept_.session->question();
+  // A new world may give an old question a new reason.
+  const bool same = open_.question_id != 0 && bridge_.openId() == open_.question_id &&
+                    open_fluents_ == std::set<Literal>(view.fluents.begin(), view.fluents.end()) &&
+                    open_.why == kept_.phrases.reason(view.conflict, view.conflict_proven);
+  const auto began = Clock::now();
+  if (!same) openQuestion(ticket, now);
+  const QuestionBridge::Wake wake = bridge_.wait(open_until_);
+  const std::chrono::duration<double> waited = Clock::now() - began;
+  kept_.waiting_time += waited.count();
+  if (wake == QuestionBridge::Wake::TimedOut) treatSilence();
+  // Dialogue nodes leave the question at once, not only when the next one is known.
+  if (bridge_.openId() != open_.question_id) closeQuestion();
+}
+
+// A question put again has a new id, so that a dialogue node leaves the old call.
+void AlignmentRunner::treatSilence() {
+  const auto tries = static_cast<unsigned>(kept_.options.ask_retries) + 1;
+  if (++kept_.silences < tries) {
+    announcer_.tell(fmt::format("no answer to question {}; it is put again", open_.question_id));
+    closeQuestion();
+    return;
+  }
+  const double timeout = kept_.options.ask_timeout;
+  kept_.session->giveUpWaiting(
+      tries == 1 ? fmt::format("nobody answered within {} s", timeout)
+                 : fmt::format("nobody answered {} times within {} s", tries, timeout));
+}
+
+void AlignmentRunner::openQuestion(GoalTicket& ticket, const session::Snapshot& now) {
+  const session::QuestionView& view = *kept_.session->question();
+  open_ = toMessage(view, kept_.phrases);
+  open_fluents_ = {view.fluents.begin(), view.fluents.end()};
+  open_.session_id = kept_.id;
+  open_.person = kept_.person;
+  open_.question_id = bridge_.open(view.fluents);
+  open_until_ = Clock::time_point::max();
+  if (kept_.options.ask_timeout > 0) {
+    const std::chrono::duration<double> timeout(kept_.options.ask_timeout);
+    open_until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
+    open_.expires = stampNow() + ros::Duration(kept_.options.ask_timeout);
+  }
+  // First of all the result that a cancel would take: it may come as soon as the question is seen.
+  report(ticket, now, open_.text);
+  open_ = announcer_.publish(open_);
+  announcer_.tell(fmt::format("question {}: {}{}{}", open_.question_id, open_.text,
+                              open_.why.empty() ? "" : " ", open_.why));
+  report(ticket, now, open_.text);
+  ask_human_.ask(open_);
+}
+
+void AlignmentRunner::closeQuestion() {
+  bridge_.close();
+  if (open_.question_id == 0) return;
+  open_ = Question{};
+  open_fluents_.clear();
+  ask_human_.withdraw();
+  announcer_.publishNoQuestion();
+}
+
+}  // namespace goal_alignment::ros_interface
