@@ -21,6 +21,9 @@ bool LocalChange::changes() const {
 
 namespace {
 
+/// More cases of conditional effects than this make no diagram that is worth its time.
+constexpr std::size_t kMostCases = 50'000;
+
 /// What holds before and what is done in one case of an operator.
 struct Case {
   std::vector<FactId> holds;
@@ -56,6 +59,8 @@ class EventBuilder {
     throwIfReached(monitor_.generated(bytes_), "the cases of conditional effects");
     if (!possible(so_far)) return;
     if (index == op.conditional.size()) {
+      if (!op.conditional.empty() && ++cases_ > kMostCases)
+        throw LimitReached(LimitReason::States, "the cases of conditional effects");
       finish(id, so_far);
       return;
     }
@@ -145,6 +150,7 @@ class EventBuilder {
   LimitMonitor monitor_;
   std::vector<Event> events_;
   std::size_t bytes_ = 0;
+  std::size_t cases_ = 0;
 };
 
 }  // namespace

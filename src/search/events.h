@@ -29,7 +29,8 @@ struct Event {
 
 /// The task's operators as events; those that change nothing, or that no reachable state allows,
 /// are left out. Conditional effects split an operator into the cases of which of them come about:
-/// as many as 2^effects where nothing rules any out, which the limits end. Throws LimitReached.
+/// as many as 2^effects where nothing rules any out. Throws LimitReached, of states where there are
+/// more than 50 000 such cases.
 std::vector<Event> makeEvents(const task::Task& task, const heuristics::MutexGroups& groups,
                               const Limits& limits);
 

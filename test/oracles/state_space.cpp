@@ -79,8 +79,7 @@ std::map<Facts, Cost> reachable(const task::Task& task, const Facts& from) {
   return settled;
 }
 
-std::optional<Cost> optimalCost(const task::Task& task, const Facts& from,
-                                const task::Goal& goal) {
+std::optional<Cost> optimalCost(const task::Task& task, const Facts& from, const task::Goal& goal) {
   std::optional<Cost> best;
   for (const auto& [facts, cost] : reachable(task, from)) {
     if (holds(goal, facts) && (!best || cost < *best)) best = cost;

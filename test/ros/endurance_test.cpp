@@ -153,7 +153,8 @@ TEST_F(Endurance, aThousandGoalsAndTenThousandCallsLeaveNoTrace) {
   std::cout << "resident " << warm.resident << " -> " << end.resident << " KiB, threads "
             << warm.threads << " -> " << end.threads << ", descriptors " << warm.descriptors
             << " -> " << end.descriptors << ", responses lost " << lost_ << std::endl;
-// A sanitizer keeps books on memory, and freed memory back; AddressSanitizer looks for leaks itself.
+// A sanitizer keeps books on memory, and freed memory back; AddressSanitizer looks for leaks
+// itself.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   EXPECT_LT(end.resident - warm.resident, kMostGrowth);
 #endif
