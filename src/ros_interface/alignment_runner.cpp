@@ -19,7 +19,6 @@ namespace {
 
 using session::AnswerKind;
 using session::OutcomeCode;
-using session::State;
 
 // Two fields of a goal that can't both be meant.
 class ContradictionError : public GoalError {
