@@ -38,6 +38,10 @@ Models courier(int size, int spare);
 /// least 2.
 Models guests(int size, RandomSource& random);
 
+/// Items that a trolley takes along, fragile ones only as the first: formulas, quantified and
+/// conditional effects. size: items.
+Models trolley(int size, RandomSource& random);
+
 /// A household of dishes.
 struct HouseholdSize {
   int rooms = 3;
@@ -58,6 +62,7 @@ struct Family {
   Models (*make)(int size, RandomSource& random);
   bool solvable = true;
   std::vector<int> sizes;  ///< from what takes no time to what takes long
+  bool formulas = false;   ///< its domain has more than literals, so that it can't be misread
 };
 
 const std::vector<Family>& families();

@@ -51,7 +51,7 @@ std::vector<Job> familyCalls(std::uint64_t seed) {
 std::vector<Job> familyAlignments(std::uint64_t seed, const DialogueOptions& dialogue) {
   std::vector<Job> jobs;
   for (const Family& family : families()) {
-    if (!family.solvable) continue;
+    if (!family.solvable || family.formulas) continue;
     for (const std::size_t step : {0U, 1U, 2U}) {
       const int size = family.sizes[step];
       for (const std::string differences : {"a", "aisv"}) {
