@@ -43,7 +43,7 @@ void recordSession(const session::Session& session, Record& record) {
 
 Limits MeasureLimits::soft() const {
   Limits limits;
-  limits.bytes = mebibytes << 20U;
+  limits.bytes = accountable(mebibytes << 20U);
   return limits.withSeconds(seconds);
 }
 

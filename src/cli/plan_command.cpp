@@ -46,7 +46,7 @@ class Planning {
     const InterruptGuard guard(cancel_);
     Limits limits;
     limits.cancel = &cancel_;
-    limits.bytes = arguments_.memory_limit_mib << 20U;
+    limits.bytes = accountable(arguments_.memory_limit_mib << 20U);
     if (arguments_.time_limit > 0) limits = limits.withSeconds(arguments_.time_limit);
     try {
       plan(limits);

@@ -18,7 +18,7 @@ using task::Word;
 
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{128} << 20U;
+constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 /// In words of a row that are looked at: some seconds.
 constexpr std::uint64_t kMostSteps = 4'000'000'000;
 

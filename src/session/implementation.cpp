@@ -83,7 +83,7 @@ void Session::Implementation::begin(Input input) {
 
 Limits Session::Implementation::limits() const {
   Limits result;
-  result.bytes = options_.memory_limit;
+  result.bytes = accountable(options_.memory_limit);
   result.cancel = &cancel_;
   if (options_.time_limit < std::numeric_limits<double>::infinity()) {
     const std::chrono::duration<double> running = Limits::Clock::now() - step_began_;

@@ -26,6 +26,12 @@ enum class LimitReason : std::uint8_t { None, States, Memory, Time, Cancelled };
 /// `states`, `memory`, … for messages and JSON.
 const char* toString(LimitReason reason) noexcept;
 
+/// What may be accounted for where so much memory may be taken: a fifth is left to the allocator,
+/// and to what nobody counts.
+constexpr std::size_t accountable(std::size_t memory) {
+  return memory - memory / 5;
+}
+
 /// How much one piece of work may use. States and bytes come first and replay exactly; wall time
 /// comes last, as the bound that a person feels.
 struct Limits {

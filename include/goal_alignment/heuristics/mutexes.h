@@ -19,7 +19,7 @@ namespace goal_alignment::heuristics {
 class MutexTable {
  public:
   /// Fixpoint over bitset rows: O(passes · operators · facts · |effect| / 64), n² bits of memory.
-  /// A table that would be too large (a quarter of the limit in bytes, 128 MiB at most), or would
+  /// A table that would be too large (a quarter of the limit in bytes, 64 MiB at most), or would
   /// take too many steps, knows of no mutex at all. Throws LimitReached on a cancel, at the
   /// deadline and at the limit of states, of which it generates none.
   MutexTable(const task::Task& task, const Limits& limits);

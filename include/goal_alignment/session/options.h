@@ -33,10 +33,11 @@ struct Options {
   bool costs = false;             ///< use :action-costs where both models have them
   bool static_candidates = true;  ///< false takes static fluents out of policies `paper`, `ask-all`
   double time_limit =
-      std::numeric_limits<double>::infinity();       ///< seconds of thinking, not waiting
-  std::size_t memory_limit = std::size_t{2} << 30U;  ///< accounted bytes
-  int max_questions = -1;                            ///< -1: as many as it takes
-  int threads = 1;  ///< for independent searches; the results do not depend on it
+      std::numeric_limits<double>::infinity();  ///< seconds of thinking, not waiting
+  std::size_t memory_limit = std::size_t{2}
+                             << 30U;  ///< bytes; accountable() says how many are counted
+  int max_questions = -1;             ///< -1: as many as it takes
+  int threads = 1;                    ///< for independent searches; the results do not depend on it
 };
 
 }  // namespace goal_alignment::session

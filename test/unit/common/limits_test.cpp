@@ -11,6 +11,11 @@
 namespace goal_alignment {
 namespace {
 
+TEST(Limits, AFifthOfTheMemoryIsNotAccountedFor) {
+  EXPECT_EQ(accountable(1000), 800U);
+  EXPECT_EQ(accountable(0), 0U);
+}
+
 TEST(LimitMonitor, StopsAfterTheGivenStates) {
   LimitMonitor monitor(Limits{}.withStates(3));
   for (int i = 0; i < 3; ++i)
