@@ -147,17 +147,24 @@ void Achievability::recordPlan(const task::Plan& plan) {
 }
 
 void Achievability::recordExecution(const std::vector<GroundName>& actions) {
-  std::unordered_map<GroundName, std::optional<task::OperatorId>> ids;
+  std::unordered_map<GroundName, std::vector<task::OperatorId>> ids;
   for (const GroundName& action : actions)
-    ids.emplace(action, std::nullopt);
+    ids[action];
   for (task::OperatorId op = 0; op < task().operators.size(); ++op) {
     const auto found = ids.find(task().operators[op].name);
-    if (found != ids.end()) found->second = op;
+    if (found != ids.end()) found->second.push_back(op);
   }
   task::Plan plan;
+  task::State state = task::initialState(task());
   for (const GroundName& action : actions) {
-    // Grounding leaves out operators that change nothing: the state is the same without them.
-    if (const auto op = ids.at(action)) plan.push_back(*op);
+    // One operator for each alternative of its precondition; none where it would change nothing.
+    for (const task::OperatorId op : ids.at(action)) {
+      if (!task::contains(state.data(), task().operators[op].precondition)) continue;
+      const task::State before = state;
+      task::apply(task().operators[op], before.data(), state.size(), state.data());
+      plan.push_back(op);
+      break;
+    }
   }
   recordPlan(plan);
 }

@@ -28,12 +28,12 @@ constexpr std::size_t kMostConflicts = 10'000;
 /// Stage 3: all reachable states, after which every check is answered without a search. None: that
 /// worked out.
 LimitReason Achievability::sweep(const Limits& limits) {
-  const auto isFinal = [](LimitReason reason) {
+  const auto is_final = [](LimitReason reason) {
     return reason != LimitReason::States && reason != LimitReason::Memory;
   };
   sweep_limit_ = sweepSymbolically(budget_.first_symbolic, limits);
-  if (!isFinal(sweep_limit_)) sweep_limit_ = exhaust(limits);
-  if (!isFinal(sweep_limit_)) sweep_limit_ = sweepSymbolically(budget_.symbolic, limits);
+  if (!is_final(sweep_limit_)) sweep_limit_ = exhaust(limits);
+  if (!is_final(sweep_limit_)) sweep_limit_ = sweepSymbolically(budget_.symbolic, limits);
   // What a person or the clock broke off must end now, and may be tried anew; states and bytes
   // would end it again.
   swept_ = sweep_limit_ != LimitReason::Cancelled && sweep_limit_ != LimitReason::Time;
