@@ -10,11 +10,8 @@ namespace goal_alignment::test {
 /// Like sweepBothRooms() with so many rooms, each of which is asked about.
 AlignGoal sweepRooms(int rooms);
 
-/// A few guests are no work, kManyGuests take the better part of a minute, all of it within one
-/// step.
+/// So many guests, and one chair fewer; ten of them take a while.
 AlignGoal seatGuests(int guests);
-
-constexpr int kManyGuests = 150;
 
 /// Models of many megabytes; nothing about them is hard.
 AlignGoal longToRead();

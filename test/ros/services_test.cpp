@@ -327,7 +327,8 @@ TEST_F(Services, aFloodOfAllValuesEndsOneDialogueAndHarmsNoOther) {
 }
 
 TEST_F(Services, noneWaitsForABusySolver) {
-  const AlignGoal goal = seatGuests(kManyGuests);
+  const Parameter all("conflicts", "full");
+  const AlignGoal goal = longToAnalyse();
   align_.sendGoal(goal);
   // As soon as there are candidates the first search is under way.
   ASSERT_TRUE(eventually([&] {
@@ -335,22 +336,22 @@ TEST_F(Services, noneWaitsForABusySolver) {
     return state.phase == AlignmentState::ANALYSING && !state.candidates.empty();
   }));
   const std::string session = currentState().session_id;
-  EXPECT_FALSE(explain({"(seated g1)"}).known) << "the search goes on";
+  EXPECT_FALSE(explain({"(at t3 c3)"}).known) << "the search goes on";
   EXPECT_FALSE(explain({}).known);
   EXPECT_EQ(answer(kNo).message, "no question is open");
-  EXPECT_TRUE(answer(kNo, 0, {"(guest g1)"}).accepted) << "volunteered";
-  EXPECT_FALSE(answer(kNo, 0, {"(guest g1)"}).accepted) << "answered";
-  EXPECT_FALSE(reviseAnswer(kNo, {"(seated g0)"}).accepted) << "specified";
-  EXPECT_TRUE(reviseAnswer(kYes, {"(guest g1)"}).accepted);
-  EXPECT_FALSE(setFacts({fluent("free", {"c999"})}).accepted);
-  EXPECT_TRUE(setFacts({fluent("free", {"c0"})}).accepted);
+  EXPECT_TRUE(answer(kNo, 0, {"(tile t3)"}).accepted) << "volunteered";
+  EXPECT_FALSE(answer(kNo, 0, {"(tile t3)"}).accepted) << "answered";
+  EXPECT_FALSE(reviseAnswer(kNo, {"(at t1 c2)"}).accepted) << "specified";
+  EXPECT_TRUE(reviseAnswer(kYes, {"(tile t3)"}).accepted);
+  EXPECT_FALSE(setFacts({fluent("blank", {"c999"})}).accepted);
+  EXPECT_TRUE(setFacts({fluent("blank", {"c0"})}).accepted);
   EXPECT_TRUE(validate(goal.robot_domain, goal.robot_problem).valid);
   EXPECT_FALSE(explain({}, Explain::Request::WHY_NOT).known);
   EXPECT_TRUE(callAligner<std_srvs::Trigger>("forget").success);
   // Explanations wait, so a pair of them must not hold up the others.
   std::vector<std::thread> explaining;
   for (int i = 0; i < 6; ++i)
-    explaining.emplace_back([] { EXPECT_FALSE(explain({"(seated g2)"}).known); });
+    explaining.emplace_back([] { EXPECT_FALSE(explain({"(at t4 c4)"}).known); });
   for (int i = 0; i < 20; ++i)
     EXPECT_FALSE(answer(kNo).accepted);
   for (std::thread& thread : explaining)
