@@ -21,7 +21,7 @@ using task::OperatorId;
 namespace {
 
 /// What is kept of landmarks may take so much, and no more than a quarter of the limit.
-constexpr std::size_t kMostLandmarkBytes = std::size_t{256} << 20U;
+constexpr std::size_t kMostLandmarkBytes = std::size_t{64} << 20U;
 
 /// Ordered by f, then h; the last one in is the first one out.
 class OpenList {
