@@ -98,13 +98,15 @@ void measureAlignment(const AlignmentWork& work, const MeasureLimits& limits, Re
   while (session.step() != session::State::Done) {
     if (session.state() != session::State::AwaitingAnswer) continue;
     waited();
-    const Literal fluent = session.question()->fluents.front();
+    const std::vector<Literal> fluents = session.question()->fluents;
     recordSession(session, record);
     save();
     since_answer.lap();
-    session.answer({fluent},
-                   wanted.count(fluent) > 0 ? session::AnswerKind::Yes : session::AnswerKind::No,
-                   "true goal");
+    for (const Literal& fluent : fluents) {
+      session.answer({fluent},
+                     wanted.count(fluent) > 0 ? session::AnswerKind::Yes : session::AnswerKind::No,
+                     "true goal");
+    }
   }
   waited();
   record.set("status", std::string(session::outcomeWord(session.outcome().code)));

@@ -2,7 +2,10 @@
 #include "goal_alignment/alignment/problem.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
+
+#include "goal_alignment/grounding/relaxed_reachability.h"
 
 namespace goal_alignment::alignment {
 
@@ -55,20 +58,26 @@ bool changes(const pddl::Model& model, const GroundName& atom) {
   return predicate && model.predicates[static_cast<std::size_t>(*predicate)].fluent;
 }
 
-std::vector<Candidate> candidatesOf(const Problem& problem, const Limits& limits) {
-  std::vector<Candidate> candidates;
+/// Adds the fluent as a candidate unless it was asked for anyway.
+void addCandidate(Problem& problem, Literal fluent) {
+  if (std::binary_search(problem.specified.begin(), problem.specified.end(), fluent)) return;
+  const bool is_static =
+      !changes(problem.human, fluent.atom) && !changes(problem.robot, fluent.atom);
+  problem.candidates.push_back({std::move(fluent), is_static});
+}
+
+void sortCandidates(Problem& problem) {
+  std::sort(problem.candidates.begin(), problem.candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.fluent < b.fluent; });
+}
+
+void findCandidates(Problem& problem, const Limits& limits) {
   LimitMonitor monitor(limits);
   for (const pddl::Atom& atom : problem.expectation.finalState()) {
     pollOrThrow(monitor, "finding what the person expects");
-    const Literal fluent = {problem.human.name(atom), false};
-    if (std::binary_search(problem.specified.begin(), problem.specified.end(), fluent)) continue;
-    const bool is_static =
-        !changes(problem.human, fluent.atom) && !changes(problem.robot, fluent.atom);
-    candidates.push_back({fluent, is_static});
+    addCandidate(problem, {problem.human.name(atom), false});
   }
-  std::sort(candidates.begin(), candidates.end(),
-            [](const Candidate& a, const Candidate& b) { return a.fluent < b.fluent; });
-  return candidates;
+  sortCandidates(problem);
 }
 
 }  // namespace
@@ -106,8 +115,23 @@ Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Lite
   if (!missing.empty() || !condition) {
     throw GoalNotExpected(missing, condition ? "" : problem.condition, problem.human_plan.empty());
   }
-  problem.candidates = candidatesOf(problem, limits);
+  findCandidates(problem, limits);
   return problem;
+}
+
+void addNegativeCandidates(Problem& problem, const Limits& limits) {
+  const grounding::RelaxedReachability reachable =
+      grounding::relaxedReachability(problem.robot, limits);
+  std::set<GroundName> expected;
+  for (const pddl::Atom& atom : problem.expectation.finalState())
+    expected.insert(problem.human.name(atom));
+  LimitMonitor monitor(limits);
+  for (const pddl::Atom& atom : reachable.atoms) {
+    pollOrThrow(monitor, "finding side effects");
+    GroundName name = problem.robot.name(atom);
+    if (expected.count(name) == 0) addCandidate(problem, {std::move(name), true});
+  }
+  sortCandidates(problem);
 }
 
 }  // namespace goal_alignment::alignment

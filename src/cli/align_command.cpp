@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "goal_alignment/cli/alignment_options.h"
 #include "goal_alignment/cli/commands.h"
 #include "goal_alignment/cli/instance.h"
 #include "goal_alignment/cli/interrupt.h"
 #include "goal_alignment/cli/json_output.h"
+#include "goal_alignment/pddl/parser.h"
 #include "goal_alignment/phrasing/phrases.h"
+#include "goal_alignment/phrasing/reply.h"
 
 namespace goal_alignment::cli {
 
@@ -23,25 +27,39 @@ struct AlignArguments {
   std::string folder;
   InstanceFiles files;
   std::string true_goal;
+  std::string phrases;
   bool interactive = false;
   bool json = false;
   AlignmentWords words;
 };
 
 /// Asks on stderr, reads from stdin until the answer is one; nothing at the end of input.
-std::optional<AnswerKind> askOnTerminal(const QuestionView& question) {
-  const phrasing::Phrases phrases;
-  std::cerr << phrases.reason(question.conflict, question.conflict_proven) << '\n'
-            << phrases.question(question.fluents) << " [yes/no/?, decline] " << std::flush;
+std::optional<phrasing::Reply> askOnTerminal(const QuestionView& question,
+                                             const phrasing::Phrases& phrases) {
+  const std::size_t count = question.fluents.size();
+  std::cerr << phrases.question(question.fluents) << '\n';
+  for (std::size_t i = 0; count > 1 && i < count; ++i)
+    std::cerr << "  " << i + 1 << ": " << phrases.clause(question.fluents[i]) << '\n';
+  const std::string why = phrases.why(question.reasons, question.if_yes, question.if_no,
+                                      question.bound_is_provisional);
+  if (!why.empty()) std::cerr << "  Why I ask: " << why << '\n';
+  std::cerr << '[' << phrasing::replyKeys(count) << "] " << std::flush;
   for (std::string line; std::getline(std::cin, line);) {
-    const std::string word = toLower(line);
-    if (word == "y" || word == "yes") return AnswerKind::Yes;
-    if (word == "n" || word == "no") return AnswerKind::No;
-    if (word == "?" || word == "don't know" || word == "unsure") return AnswerKind::Unsure;
-    if (word == "decline") return AnswerKind::Decline;
-    std::cerr << "please answer yes, no, ? (don't know) or decline: " << std::flush;
+    if (auto reply = phrasing::parseReply(line, count)) return reply;
+    std::cerr << "please answer with " << phrasing::replyKeys(count) << ": " << std::flush;
   }
   return std::nullopt;
+}
+
+phrasing::Phrases readPhrases(const std::string& file) {
+  if (file.empty()) return {};
+  const pddl::Source source = pddl::readFile(file);
+  return phrasing::Phrases::fromYaml(source.text, source.name);
+}
+
+const char* wordFor(AnswerKind answer) {
+  constexpr const char* kWords[] = {"no", "yes", "don't know", "declined"};
+  return kWords[static_cast<int>(answer)];
 }
 
 class Alignment {
@@ -54,6 +72,7 @@ class Alignment {
         arguments_.folder.empty() ? arguments_.files : InstanceFiles::of(arguments_.folder);
     if (!arguments_.true_goal.empty()) files.true_goal = arguments_.true_goal;
     if (!arguments_.interactive && !files.true_goal.empty()) oracle_.emplace(files.true_goal);
+    phrases_ = readPhrases(arguments_.phrases.empty() ? files.phrases : arguments_.phrases);
     session_.begin(readInput(files));
     const InterruptGuard guard(session_);
     while (session_.step() != session::State::Done) {
@@ -64,18 +83,32 @@ class Alignment {
   }
 
  private:
-  void answer(const QuestionView& question) {
-    std::optional<AnswerKind> kind;
+  /// `question` is a copy, since an answer may end it.
+  void answer(const QuestionView question) {
     if (oracle_) {
-      kind = oracle_->answer(question.fluents.front());
-    } else if (arguments_.interactive) {
-      kind = askOnTerminal(question);
+      for (const Literal& fluent : question.fluents)
+        session_.answer({fluent}, oracle_->answer(fluent), "true goal");
+      return;
     }
-    if (kind) {
-      session_.answer(question.fluents, *kind, oracle_ ? "true goal" : "terminal");
+    std::optional<phrasing::Reply> reply;
+    if (arguments_.interactive) reply = askOnTerminal(question, phrases_);
+    if (reply) {
+      pass(*reply, question.fluents);
     } else if (session_.step() != session::State::Done) {  // Ctrl-C ends the read, too
       session_.giveUpWaiting("there is nobody to answer whether " +
                              session_.spelling(question.fluents.front()) + " matters");
+    }
+  }
+
+  void pass(const phrasing::Reply& reply, const std::vector<Literal>& fluents) {
+    const auto kind = static_cast<AnswerKind>(reply.kind);
+    if (reply.chosen.empty()) {
+      session_.answer(fluents, kind, "terminal");
+      return;
+    }
+    for (std::size_t i = 0; i < fluents.size(); ++i) {
+      const bool chosen = std::count(reply.chosen.begin(), reply.chosen.end(), i) > 0;
+      session_.answer({fluents[i]}, chosen ? AnswerKind::Yes : AnswerKind::No, "terminal");
     }
   }
 
@@ -85,18 +118,26 @@ class Alignment {
       return;
     }
     for (const session::QuestionRecord& record : session_.questions()) {
-      const char* const words[] = {"no", "yes", "don't know", "declined"};
-      std::cout << "; asked " << session_.spelling(record.fluents.front()) << ": "
-                << words[static_cast<int>(record.answer)] << '\n';
+      for (std::size_t i = 0; i < record.fluents.size(); ++i) {
+        std::cout << "; asked " << session_.spelling(record.fluents[i]) << ": "
+                  << wordFor(record.answers[i]) << '\n';
+      }
     }
     const session::Outcome& outcome = session_.outcome();
     std::cout << "; " << session::outcomeWord(outcome.code) << ": " << outcome.message << '\n';
+    for (const session::Alternative& alternative : outcome.alternatives) {
+      std::cout << "; can do all but";
+      for (const Literal& fluent : alternative.given_up)
+        std::cout << ' ' << session_.spelling(fluent);
+      std::cout << '\n';
+    }
     for (const GroundName& step : outcome.plan.steps)
       std::cout << step.text() << '\n';
   }
 
   const AlignArguments& arguments_;
   Session session_;
+  phrasing::Phrases phrases_;
   std::optional<ScriptedOracle> oracle_;
 };
 
@@ -130,6 +171,8 @@ void addAlignCommand(CLI::App& app, Run& run) {
   auto* true_goal =
       command->add_option("--true-goal", arguments->true_goal, "answers the questions");
   command->add_flag("--interactive", arguments->interactive, "you answer")->excludes(true_goal);
+  command->add_option("--phrases", arguments->phrases,
+                      "YAML templates in which questions are put; DIR's phrases.yaml else");
   command->add_option("--policy", arguments->words.policy, "auto, paper or ask-all");
   arguments->words.add(*command);
   command->add_flag("--json", arguments->json);

@@ -64,6 +64,12 @@ void AlignmentWords::add(CLI::App& command) {
   command.add_option("--group", group, "fluents a question may offer");
   command.add_option("--unsure-policy", unsure_policy, "as-yes, defer or abort");
   command.add_flag("--negative-candidates", negative_candidates, "ask about side effects, too");
+  command.add_option("--hidden-wanted", hidden_wanted,
+                     "predicate nobody is asked about, assumed to be wanted; may be repeated");
+  command.add_option("--hidden-not-wanted", hidden_not_wanted,
+                     "the same, assumed not to be wanted");
+  command.add_option("--max-extra-cost", max_extra_cost,
+                     "ask about what would cost more than this to keep");
   command.add_flag("--costs", costs, "use :action-costs where both models have them");
   command.add_flag("--no-static", no_static, "paper, ask-all: leave static fluents out");
   command.add_option("--plan", plan, "first, optimal or anytime");
@@ -73,8 +79,6 @@ void AlignmentWords::add(CLI::App& command) {
 }
 
 session::Options AlignmentWords::options() const {
-  if (group > 1) throw NotYet("--group " + std::to_string(group));
-  if (negative_candidates) throw NotYet("--negative-candidates");
   if (group < 1) throw CLI::ValidationError("--group", "expected 1 or more");
   if (threads < 1) throw CLI::ValidationError("--threads", "expected 1 or more");
   if (time_limit < 0) throw CLI::ValidationError("--time-limit", "expected seconds, 0 for none");
@@ -95,6 +99,11 @@ session::Options AlignmentWords::options() const {
                                             {"anytime", session::PlanMode::Anytime}},
                                            plan, "--plan");
   options.threads = threads;
+  options.max_group_size = static_cast<std::size_t>(group);
+  options.negative_candidates = negative_candidates;
+  options.hidden_wanted = hidden_wanted;
+  options.hidden_not_wanted = hidden_not_wanted;
+  options.max_extra_cost = max_extra_cost;
   options.costs = costs;
   options.static_candidates = !no_static;
   if (time_limit > 0) options.time_limit = time_limit;

@@ -83,8 +83,9 @@ void runOnce(const std::string& folder, const session::Options& options, Row& ro
   session.begin(readInput(files));
   while (session.step() != session::State::Done) {
     if (session.state() != session::State::AwaitingAnswer) continue;
-    const Literal fluent = session.question()->fluents.front();
-    session.answer({fluent}, oracle.answer(fluent), "true goal");
+    const std::vector<Literal> fluents = session.question()->fluents;
+    for (const Literal& fluent : fluents)
+      session.answer({fluent}, oracle.answer(fluent), "true goal");
   }
   const session::Snapshot view = session.snapshot();
   row.candidates = view.candidates.size();

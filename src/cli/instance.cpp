@@ -17,8 +17,10 @@ InstanceFiles InstanceFiles::of(const std::string& folder) {
   const auto file = [&](const char* name) { return (base / name).string(); };
   InstanceFiles files = {file("robot_domain.pddl"), file("robot_problem.pddl"),
                          file("human_domain.pddl"), file("human_problem.pddl"),
-                         file("human_plan.txt"),    file("true_goal.txt")};
-  if (!std::filesystem::exists(files.true_goal, error)) files.true_goal.clear();
+                         file("human_plan.txt"),    file("true_goal.txt"),
+                         file("phrases.yaml")};
+  for (std::string* optional : {&files.true_goal, &files.phrases})
+    if (!std::filesystem::exists(*optional, error)) optional->clear();
   return files;
 }
 

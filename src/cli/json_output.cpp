@@ -25,22 +25,25 @@ const char* word(AnswerKind answer) {
 }
 
 /// The reason of a question in a few words, with the PDDL fluents.
-std::string why(const session::QuestionRecord& record) {
-  if (record.conflict.empty()) return "";
+std::string why(const session::Reason& reason) {
+  if (reason.extra_cost > 0)
+    return "keeping it costs " + std::to_string(reason.extra_cost) + " more";
+  if (reason.conflict.empty()) return "";
   std::string list;
-  for (const Literal& literal : record.conflict)
+  for (const Literal& literal : reason.conflict)
     list += (list.empty() ? "" : " and ") + literal.text();
-  return (record.conflict_proven ? "can't have " : "could not make sure to have ") + list +
+  return (reason.proven ? "can't have " : "could not make sure to have ") + list +
          " together with the specified goal";
 }
 
 Json questionsOf(const session::Session& session) {
   Json list = Json::array();
   for (const session::QuestionRecord& record : session.questions()) {
-    for (const Literal& fluent : record.fluents) {
-      Json entry = {
-          {"fluent", fluent.text()}, {"answer", word(record.answer)}, {"round", record.round}};
-      if (const std::string reason = why(record); !reason.empty()) entry["why"] = reason;
+    for (std::size_t i = 0; i < record.fluents.size(); ++i) {
+      Json entry = {{"fluent", record.fluents[i].text()},
+                    {"answer", word(record.answers[i])},
+                    {"round", record.round}};
+      if (const std::string reason = why(record.reasons[i]); !reason.empty()) entry["why"] = reason;
       list.push_back(std::move(entry));
     }
   }
@@ -87,7 +90,10 @@ Json toJson(const session::Session& session) {
     json["optimal"] = outcome.plan.optimal;
     json["guaranteed"] = texts(outcome.plan.guaranteed);
     json["kept_unasked"] = texts(outcome.plan.kept_unasked);
+    json["extra_cost"] = outcome.plan.extra_cost;
     json["not_wanted"] = texts(outcome.plan.not_wanted);
+    if (!outcome.plan.assumed_not_wanted.empty())
+      json["assumed_not_wanted"] = texts(outcome.plan.assumed_not_wanted);
   }
   const session::Snapshot view = session.snapshot();
   if (!view.specified.empty() || !view.candidates.empty()) {

@@ -88,7 +88,7 @@ std::string Phrases::question(const std::vector<Literal>& fluents) const {
   clauses.reserve(fluents.size());
   for (const Literal& fluent : fluents)
     clauses.push_back("that " + clause(fluent));
-  return "Do these matter to you: " + enumerationOfClauses(clauses) + "?";
+  return "Which of these matter to you: " + enumerationOfClauses(clauses) + "?";
 }
 
 std::string Phrases::reason(const std::vector<Literal>& conflict, bool proven) const {

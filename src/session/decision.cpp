@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "goal_alignment/common/exceptions.h"
+#include "goal_alignment/questions/grouping.h"
 #include "implementation.h"
 
 /// The heart of a session: from what is known to a question or an outcome. A dialogue may end
@@ -17,13 +18,6 @@ using achievability::Conflict;
 using achievability::Verdict;
 using questions::Knowledge;
 
-namespace {
-
-/// More alternatives than a person reads.
-constexpr std::size_t kMostAlternatives = 10;
-
-}  // namespace
-
 questions::Situation Session::Implementation::situation() const {
   return {dialogue_.knowledge(), beliefs_, robot().conflicts()};
 }
@@ -35,6 +29,25 @@ bool Session::Implementation::anyLive() const {
                      [&](const Conflict& conflict) { return !conflict.members.intersects(no); });
 }
 
+/// Whether the open question can still change the outcome, after what was volunteered.
+bool Session::Implementation::openQuestionMatters() const {
+  if (!policy_->usesConflicts()) return true;
+  const questions::Situation now = situation();
+  const questions::Prospect as_it_is = questions::prospect(now, {}, Knowledge::Open);
+  const auto& reasons = question_->reasons;
+  if (as_it_is.ending == questions::Prospect::Ending::Plan) {
+    return std::any_of(reasons.begin(), reasons.end(),
+                       [](const Reason& reason) { return reason.extra_cost > 0; });
+  }
+  const auto& waiting = dialogue_.openCandidates();
+  return as_it_is.ending == questions::Prospect::Ending::Open &&
+         std::any_of(now.conflicts.begin(), now.conflicts.end(), [&](const Conflict& conflict) {
+           return now.isLive(conflict) &&
+                  std::any_of(waiting.begin(), waiting.end(),
+                              [&](std::size_t f) { return conflict.members.test(f); });
+         });
+}
+
 void Session::Implementation::decide() {
   if (concludeNoPlan()) return;
   // With no conflict left that is not hit, everything not answered NO should have a plan. Where it
@@ -44,8 +57,9 @@ void Session::Implementation::decide() {
     if (concludeNoPlan()) return;
   }
   if (concludeBlocked()) return;
-  if (const auto choice = policy_->next(situation())) {
-    ask(*choice);
+  const auto choices = questions::nextGroup(*policy_, situation(), options_.max_group_size);
+  if (!choices.empty()) {
+    ask(choices);
   } else if (options_.unsure_policy == UnsurePolicy::Defer && dialogue_.reopenUnsure()) {
     decide();
   } else {
@@ -81,7 +95,7 @@ bool Session::Implementation::concludePlan() {
   const CandidateSet wished = ~dialogue_.with(Knowledge::NotWanted);
   const Check check = robot().check(wished, limits());
   if (check.verdict == Verdict::Achievable) {
-    conclude(wished, check.plan);
+    if (!askAboutCost(wished, check.plan)) conclude(wished, check.plan);
     return true;
   }
   if (check.verdict == Verdict::Unachievable) return false;
@@ -119,142 +133,6 @@ bool Session::Implementation::concludeBlocked() {
     return true;
   }
   return false;
-}
-
-void Session::Implementation::ask(const questions::Choice& choice) {
-  const std::size_t asked = dialogue_.askedWith(choice.candidate);
-  if (options_.max_questions >= 0 &&
-      asked > asked_before_ + static_cast<std::size_t>(options_.max_questions)) {
-    finish(OutcomeCode::QuestionLimit,
-           "the limit of questions is reached, and the outcome still depends on " +
-               dialogue_.fluents()[choice.candidate].text());
-    return;
-  }
-  const Conflict* conflict = choice.conflict ? &robot().conflicts()[*choice.conflict] : nullptr;
-  QuestionView view;
-  view.asked = asked - 1;
-  view.max_remaining = mostRemaining();
-  view.bound_is_provisional = !robot().complete();
-  dialogue_.ask(choice.candidate, conflict);
-  view.fluents = {dialogue_.fluents()[choice.candidate]};
-  view.conflict = dialogue_.openConflict();
-  view.conflict_proven = dialogue_.openConflictProven();
-  view.probabilities = {beliefs_[choice.candidate]};
-  question_ = std::move(view);
-  state_ = State::AwaitingAnswer;
-}
-
-std::size_t Session::Implementation::mostRemaining() const {
-  CandidateSet askable = ~robot().alwaysTrue();
-  if (policy_->usesConflicts() && robot().complete()) {
-    askable.reset();
-    const CandidateSet no = dialogue_.with(Knowledge::NotWanted);
-    for (const Conflict& conflict : robot().conflicts()) {
-      if (!conflict.members.intersects(no)) askable |= conflict.members;
-    }
-  } else if (!policy_->usesConflicts()) {
-    askable.set();
-  }
-  return (askable & dialogue_.with(Knowledge::Open)).count();
-}
-
-void Session::Implementation::conclude(const CandidateSet& achieved, const task::Plan& first_plan) {
-  const auto began = Limits::Clock::now();
-  Outcome outcome;
-  outcome.code = OutcomeCode::Success;
-  outcome.plan = finalPlan(achieved, first_plan);
-  outcome.message = "the plan achieves what was asked for and all that was not answered no";
-  std::vector<Literal> promised = problem_->specified;
-  const std::vector<Literal> kept = fluents(achieved);
-  promised.insert(promised.end(), kept.begin(), kept.end());
-  const auto fault = validation::fault(problem_->robot, outcome.plan.steps, promised, cancelOnly());
-  if (fault) throw Exception("the plan found did not pass validation: " + *fault);
-  finish(std::move(outcome));
-  const std::chrono::duration<double> took = Limits::Clock::now() - began;
-  statistics_.plan += took.count();
-}
-
-FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
-                                             const task::Plan& first_plan) {
-  FinalPlan plan;
-  plan.steps = task::names(robot().task(), first_plan);
-  const std::vector<Literal> kept = fluents(achieved);
-  if (options_.plan == PlanMode::Optimal) {
-    const search::Result best = robot().optimalPlan(achieved, limits());
-    if (best.limit == LimitReason::Cancelled) throw LimitReached(best.limit, "the final plan");
-    plan.optimal = best.status == search::Status::Solved;
-    if (plan.optimal) plan.steps = task::names(robot().task(), best.plan);
-  } else if (options_.plan == PlanMode::Anytime) {
-    const search::Improved best = robot().improvedPlan(achieved, first_plan, limits());
-    if (best.limit == LimitReason::Cancelled) throw LimitReached(best.limit, "the final plan");
-    plan.optimal = best.optimal;
-    plan.steps = task::names(robot().task(), best.plan);
-  } else if (robot_side_.human_plan_runs) {
-    // The person's own plan is the one to prefer where it gives all that is needed.
-    std::vector<Literal> all = problem_->specified;
-    all.insert(all.end(), kept.begin(), kept.end());
-    if (!validation::fault(problem_->robot, problem_->human_plan, all, cancelOnly())) {
-      plan.steps = problem_->human_plan;
-    }
-  }
-  const validation::Execution execution =
-      validation::execute(problem_->robot, plan.steps, cancelOnly());
-  plan.cost = unit_costs_ ? static_cast<std::int64_t>(plan.steps.size()) : execution.cost();
-  plan.guaranteed = problem_->specified;
-  const CandidateSet asked = dialogue_.with(Knowledge::Wanted) | dialogue_.with(Knowledge::Unsure);
-  const std::vector<Literal> wanted = fluents(asked);
-  plan.guaranteed.insert(plan.guaranteed.end(), wanted.begin(), wanted.end());
-  plan.kept_unasked = fluents(achieved - asked - dialogue_.with(Knowledge::NotWanted));
-  plan.not_wanted = fluents(dialogue_.with(Knowledge::NotWanted));
-  return plan;
-}
-
-/// Everything wanted but the smallest sets that hit all conflicts among it, likeliest first.
-std::vector<Alternative> Session::Implementation::alternatives() const {
-  const CandidateSet wanted = dialogue_.with(Knowledge::Wanted);
-  achievability::ConflictSet within(robot().candidateCount());
-  for (const Conflict& conflict : robot().conflicts()) {
-    if (conflict.proven && conflict.members.is_subset_of(wanted)) within.add(conflict);
-  }
-  std::vector<Alternative> result;
-  const auto* hitting_sets = within.minimalHittingSets(kMostAlternatives * kMostAlternatives);
-  if (hitting_sets == nullptr) return result;
-  for (const CandidateSet& given_up : *hitting_sets) {
-    Alternative alternative;
-    alternative.given_up = fluents(given_up);
-    alternative.probability = 1;
-    for (const std::size_t f : achievability::members(given_up)) {
-      alternative.probability *= 1 - beliefs_[f];
-    }
-    result.push_back(std::move(alternative));
-  }
-  std::stable_sort(result.begin(), result.end(), [](const Alternative& a, const Alternative& b) {
-    return a.probability > b.probability;
-  });
-  if (result.size() > kMostAlternatives) result.resize(kMostAlternatives);
-  return result;
-}
-
-std::vector<Literal> Session::Implementation::fluents(const CandidateSet& set) const {
-  std::vector<Literal> result;
-  for (const std::size_t f : achievability::members(set))
-    result.push_back(dialogue_.fluents()[f]);
-  return result;
-}
-
-std::string Session::Implementation::listed(const std::vector<Literal>& literals) const {
-  std::string text;
-  for (const Literal& literal : literals) {
-    const std::string atom = spelling(literal.atom);
-    text += (text.empty() ? "" : ", ") + (literal.negated ? "(not " + atom + ")" : atom);
-  }
-  return text;
-}
-
-std::string Session::Implementation::askedFor() const {
-  const std::string literals = listed(problem_->specified);
-  return literals + (literals.empty() || problem_->condition.empty() ? "" : ", ") +
-         problem_->condition;
 }
 
 }  // namespace goal_alignment::session

@@ -11,10 +11,20 @@ Dialogue::Dialogue(const alignment::Problem& problem)
     : specified_(problem.specified),
       knowledge_(problem.candidates.size(), Knowledge::Open),
       answered_by_(problem.candidates.size()),
-      reopened_(problem.candidates.size(), false) {
+      reopened_(problem.candidates.size(), false),
+      assumed_(problem.candidates.size(), false) {
   fluents_.reserve(problem.candidates.size());
   for (const alignment::Candidate& candidate : problem.candidates)
     fluents_.push_back(candidate.fluent);
+}
+
+void Dialogue::assume(const std::string& predicate, Knowledge knowledge) {
+  const std::string name = toLower(predicate);
+  for (std::size_t f = 0; f < fluents_.size(); ++f) {
+    if (fluents_[f].atom.name != name) continue;
+    knowledge_[f] = knowledge;
+    assumed_[f] = true;
+  }
 }
 
 std::optional<std::size_t> Dialogue::find(const Literal& fluent) const {
@@ -32,6 +42,7 @@ std::string Dialogue::refusal(const Literal& fluent, bool revising) const {
     return fluent.text() + " is no part of the expected state, so nothing depends on it";
   }
   const bool answered = knowledge_[*found] != Knowledge::Open;
+  if (assumed_[*found]) return "";  // there is no answer yet, and something to revise
   if (answered && !revising)
     return fluent.text() + " is answered already; revise the answer instead";
   if (!answered && revising)
@@ -47,7 +58,7 @@ Receipt Dialogue::answer(const std::vector<Literal>& fluents, AnswerKind kind,
   }
   for (const Literal& fluent : fluents)
     set(*find(fluent), kind, answered_by);
-  closeIfAnswered(kind);
+  closeIfAnswered();
   return {true, ""};
 }
 
@@ -56,59 +67,63 @@ void Dialogue::set(std::size_t candidate, AnswerKind kind, const std::string& an
                           : kind == AnswerKind::No ? Knowledge::NotWanted
                                                    : Knowledge::Unsure;
   answered_by_[candidate] = answered_by;
+  assumed_[candidate] = false;
 }
 
-void Dialogue::closeIfAnswered(AnswerKind kind) {
+void Dialogue::closeIfAnswered() {
   if (!open_) return;
-  std::vector<std::size_t>& waiting = open_->candidates;
-  const std::size_t before = waiting.size();
+  std::vector<std::size_t>& waiting = open_->waiting;
   waiting.erase(std::remove_if(waiting.begin(), waiting.end(),
                                [this](std::size_t f) { return knowledge_[f] != Knowledge::Open; }),
                 waiting.end());
-  // "These matter to me" out of a group says that the others don't.
-  if (kind == AnswerKind::Yes && waiting.size() < before) {
-    for (const std::size_t f : waiting)
-      set(f, AnswerKind::No, "");
-    waiting.clear();
+  if (waiting.empty()) close(false);
+}
+
+/// Notes what was answered. What was not is declined, or else was not asked after all.
+void Dialogue::close(bool declined) {
+  QuestionRecord record;
+  record.round = records_.size() + 1;
+  for (std::size_t i = 0; i < open_->candidates.size(); ++i) {
+    const Knowledge knowledge = knowledge_[open_->candidates[i]];
+    if (knowledge == Knowledge::Open && !declined) continue;
+    record.fluents.push_back(fluents_[open_->candidates[i]]);
+    record.reasons.push_back(std::move(open_->reasons[i]));
+    record.answers.push_back(knowledge == Knowledge::Wanted      ? AnswerKind::Yes
+                             : knowledge == Knowledge::NotWanted ? AnswerKind::No
+                             : knowledge == Knowledge::Unsure    ? AnswerKind::Unsure
+                                                                 : AnswerKind::Decline);
   }
-  if (!waiting.empty()) return;
-  open_->record.answer = kind;
-  records_.push_back(open_->record);
+  records_.push_back(std::move(record));
   open_.reset();
 }
 
-void Dialogue::ask(std::size_t candidate, const achievability::Conflict* conflict) {
-  asked_ = askedWith(candidate);
-  withdrawn_.reset();
+void Dialogue::ask(const std::vector<Posed>& posed) {
   OpenQuestion question;
-  question.candidates = {candidate};
-  question.record.fluents = {fluents_[candidate]};
-  question.record.round = records_.size() + 1;
-  if (conflict != nullptr) {
-    question.record.conflict_proven = conflict->proven;
-    for (const std::size_t f : achievability::members(conflict->members)) {
-      question.record.conflict.push_back(fluents_[f]);
-    }
+  for (const auto& [candidate, reason] : posed) {
+    question.candidates.push_back(candidate);
+    question.reasons.push_back(reason);
   }
+  asked_ = askedWith(question.candidates);
+  withdrawn_.clear();
+  question.waiting = question.candidates;
   open_ = std::move(question);
 }
 
 void Dialogue::withdraw() {
-  if (open_) withdrawn_ = open_->candidates.front();
+  if (!open_) return;
+  if (open_->waiting.size() < open_->candidates.size()) return close(false);
+  withdrawn_ = std::move(open_->candidates);
   open_.reset();
 }
 
 void Dialogue::decline() {
-  if (!open_) return;
-  open_->record.answer = AnswerKind::Decline;
-  records_.push_back(open_->record);
-  open_.reset();
+  if (open_) close(true);
 }
 
 bool Dialogue::reopenUnsure() {
   bool any = false;
   for (std::size_t f = 0; f < knowledge_.size(); ++f) {
-    if (knowledge_[f] != Knowledge::Unsure || reopened_[f]) continue;
+    if (knowledge_[f] != Knowledge::Unsure || reopened_[f] || assumed_[f]) continue;
     knowledge_[f] = Knowledge::Open;
     reopened_[f] = true;
     any = true;
@@ -120,6 +135,13 @@ achievability::CandidateSet Dialogue::with(Knowledge knowledge) const {
   achievability::CandidateSet set(knowledge_.size());
   for (std::size_t f = 0; f < knowledge_.size(); ++f)
     set.set(f, knowledge_[f] == knowledge);
+  return set;
+}
+
+achievability::CandidateSet Dialogue::assumed() const {
+  achievability::CandidateSet set(assumed_.size());
+  for (std::size_t f = 0; f < assumed_.size(); ++f)
+    set.set(f, assumed_[f]);
   return set;
 }
 

@@ -38,6 +38,8 @@ void validate(const Options& options) {
   requireRange(options.memory_limit > 0, "the memory limit must be positive");
   requireRange(options.threads >= 1, "the number of threads must be 1 or more");
   requireRange(options.max_questions >= -1, "the question limit must be -1 (none) or more");
+  requireRange(options.max_group_size >= 1, "a question must offer 1 fluent or more");
+  requireRange(options.max_extra_cost >= 0, "the extra cost let pass must not be negative");
   questions::makePolicy(options.policy, {});  // throws for an unknown name
 }
 
@@ -165,8 +167,17 @@ void Session::Implementation::read() {
   problem_ = std::make_unique<alignment::Problem>(alignment::makeProblem(
       std::move(robot), std::move(human), input_.goal, input_.human_plan, limits()));
   input_ = {};
-  dialogue_ = Dialogue(*problem_);
+  if (options_.negative_candidates) alignment::addNegativeCandidates(*problem_, limits());
+  beginDialogue();
   phase_ = Phase::Ground;
+}
+
+void Session::Implementation::beginDialogue() {
+  dialogue_ = Dialogue(*problem_);
+  for (const std::string& predicate : options_.hidden_wanted)
+    dialogue_.assume(predicate, questions::Knowledge::Unsure);
+  for (const std::string& predicate : options_.hidden_not_wanted)
+    dialogue_.assume(predicate, questions::Knowledge::NotWanted);
 }
 
 void Session::Implementation::ground() {
@@ -182,7 +193,11 @@ void Session::Implementation::checkWhole() {
   const achievability::CandidateSet none(robot().candidateCount());
   const Check whole = robot().check(~none, limits());
   if (whole.verdict == Verdict::Achievable) {
-    conclude(~none, whole.plan);
+    // It may cost more than the person would let pass for what nobody asked for.
+    if (!std::isinf(options_.max_extra_cost))
+      phase_ = Phase::Believe;
+    else
+      conclude(~none, whole.plan);
     return;
   }
   const Check specified = robot().check(none, limits());
@@ -262,8 +277,9 @@ Receipt Session::Implementation::answer(const std::vector<Literal>& fluents, Ans
     finish(OutcomeCode::UnsureBlocks, "\"don't know\" ends this dialogue undecided");
     return receipt;
   }
+  // Another fluent was volunteered, or only a part of a group was answered.
   const bool unanswered = state_ == State::AwaitingAnswer && dialogue_.isOpen();
-  if (unanswered && !revising) return receipt;  // another fluent was volunteered
+  if (unanswered && !revising && openQuestionMatters()) return receipt;
   dialogue_.withdraw();
   question_.reset();
   if (state_ != State::Analysing) resume(nextPhase());
@@ -305,6 +321,7 @@ void Session::Implementation::goOn(const Options& options) {
   options_.memory_limit = options.memory_limit;
   options_.max_questions = options.max_questions;
   options_.unsure_policy = options.unsure_policy;
+  options_.max_group_size = options.max_group_size;
   asked_before_ = dialogue_.asked();
   dialogue_.countAnew();
   if (state_ != State::Done || !leavesOpen(outcome_.code)) return;

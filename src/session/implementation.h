@@ -27,6 +27,8 @@ class Session::Implementation {
   Receipt answer(const std::vector<Literal>& fluents, AnswerKind kind,
                  const std::string& answered_by, bool revising);
   void setRobotState(const std::vector<GroundName>& atoms);
+  Consequence whatIf(const std::vector<Literal>& wanted, const std::vector<Literal>& not_wanted,
+                     double seconds);
   void goOn(const Options& options);
   void finish(OutcomeCode code, std::string message);
 
@@ -50,6 +52,7 @@ class Session::Implementation {
   // implementation.cpp: the phases
   void run(Phase phase);
   void read();
+  void beginDialogue();
   void ground();
   void checkWhole();
   void believe();
@@ -71,10 +74,25 @@ class Session::Implementation {
   bool concludeNoPlan();
   bool concludePlan();
   bool concludeBlocked();
-  void ask(const questions::Choice& choice);
   bool anyLive() const;
+  bool openQuestionMatters() const;
   questions::Situation situation() const;
-  std::size_t mostRemaining() const;
+
+  // asking.cpp: what is asked, why, and how much more may follow
+  void ask(const std::vector<questions::Choice>& choices);
+  void ask(const std::vector<Dialogue::Posed>& posed);
+  Reason reasonFor(const questions::Choice& choice) const;
+  std::size_t mostRemaining(const achievability::CandidateSet& askable) const;
+  achievability::CandidateSet askable(const questions::Situation& now) const;
+
+  // extra_cost.cpp: what keeping things costs that nobody asked for
+  bool askAboutCost(const achievability::CandidateSet& wished, const task::Plan& plan);
+  search::Improved cheapened(const achievability::CandidateSet& set, const task::Plan& plan,
+                             std::uint64_t states);
+  task::Cost cheaply(const achievability::CandidateSet& set, const task::Plan& plan);
+  achievability::CandidateSet trueAtEnd(const task::Plan& plan) const;
+
+  // conclusion.cpp: outcomes
   void conclude(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
   FinalPlan finalPlan(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
   std::vector<Alternative> alternatives() const;

@@ -55,6 +55,11 @@ const pddl::Model* Session::robotModel() const {
   return implementation_->robotModel();
 }
 
+Consequence Session::whatIf(const std::vector<Literal>& wanted,
+                            const std::vector<Literal>& not_wanted, double seconds) {
+  return implementation_->whatIf(wanted, not_wanted, seconds);
+}
+
 void Session::goOn(const Options& options) {
   implementation_->goOn(options);
 }

@@ -23,11 +23,13 @@ Snapshot Session::Implementation::snapshot() const {
   view.questions_asked = dialogue_.asked();
   if (!problem_) return view;
   view.specified = problem_->specified;
+  const achievability::CandidateSet assumed = dialogue_.assumed();
   for (std::size_t f = 0; f < problem_->candidates.size(); ++f) {
     CandidateView candidate;
     candidate.fluent = problem_->candidates[f].fluent;
     candidate.is_static = problem_->candidates[f].is_static;
     candidate.answered_by = dialogue_.answeredBy(f);
+    candidate.assumed = assumed.test(f);
     if (!beliefs_.empty()) candidate.probability = beliefs_[f];
     const Knowledge knowledge = dialogue_.knowledge()[f];
     candidate.state = knowledge == Knowledge::Wanted      ? CandidateState::Wanted

@@ -43,7 +43,8 @@ class GoalNotExpected : public Exception {
   std::vector<Literal> missing_;
 };
 
-/// A fluent of S^H \ G^H: the person may want it, and nobody knows yet.
+/// A fluent of S^H \ G^H, or the negation of one outside S^H: the person may want it, and nobody
+/// knows yet.
 struct Candidate {
   Literal fluent;
   bool is_static = false;  ///< no action of either model adds or deletes its predicate
@@ -67,5 +68,10 @@ struct Problem {
 /// O(size of the models + sum of the states on the way).
 Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Literal>& goal,
                     std::vector<GroundName> human_plan, const Limits& limits = {});
+
+/// Side effects: adds the candidate "not f" for every f outside S^H that is true in some state
+/// which the robot can reach even without deletes, its initial one included. Throws LimitReached.
+/// Takes as long as grounding the robot's model.
+void addNegativeCandidates(Problem& problem, const Limits& limits);
 
 }  // namespace goal_alignment::alignment

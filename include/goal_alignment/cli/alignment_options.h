@@ -2,7 +2,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "goal_alignment/session/options.h"
 
@@ -19,6 +21,9 @@ struct AlignmentWords {
   int group = 1;
   std::string unsure_policy = "as-yes";
   bool negative_candidates = false;
+  std::vector<std::string> hidden_wanted;
+  std::vector<std::string> hidden_not_wanted;
+  double max_extra_cost = std::numeric_limits<double>::infinity();
   bool costs = false;
   bool no_static = false;
   std::string plan = "first";

@@ -18,9 +18,10 @@ struct InstanceFiles {
   std::string human_problem;
   std::string human_plan;
   std::string true_goal;
+  std::string phrases;  ///< phrases.yaml: how questions are worded
 
-  /// The files of an instance folder. Throws pddl::InputError where one but the true goal is
-  /// missing.
+  /// The files of an instance folder. Throws pddl::InputError where one but the true goal and the
+  /// phrases is missing.
   static InstanceFiles of(const std::string& folder);
 };
 

@@ -8,6 +8,8 @@
 #include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/phrasing/template_text.h"
+#include "goal_alignment/questions/prospect.h"
+#include "goal_alignment/questions/reason.h"
 
 /// Turns fluents, questions and reasons into sentences. Templates come from YAML; every section may
 /// be left out, names match without case:
@@ -44,14 +46,22 @@ class Phrases {
   /// not so that …".
   std::string clause(const Literal& fluent) const;
 
-  /// "Does it matter to you that …?": a spoken yes means wanted. Several fluents, of which yes
-  /// means all and no means none: "Do these matter to you: that …, and that …?". None: an empty
-  /// text.
+  /// "Does it matter to you that …?": a spoken yes means wanted. Several fluents, of which any may
+  /// be named: "Which of these matter to you: that …; that …; and that …?". None: an empty text.
   std::string question(const std::vector<Literal>& fluents) const;
 
   /// Why it is asked: "I can't have both: …, and ….". `proven` false: "I could not make sure …".
   /// An empty conflict gives an empty text.
   std::string reason(const std::vector<Literal>& conflict, bool proven) const;
+
+  /// Why a question is asked and where the answers lead: the reasons, each once and few of them,
+  /// then "If not, I can do all the rest.", "If it does, something else has to give way."
+  /// `provisional`: there may be conflicts that nobody knows yet.
+  std::string why(const std::vector<questions::Reason>& reasons, const questions::Prospect& if_yes,
+                  const questions::Prospect& if_no, bool provisional) const;
+
+  /// What can be had instead: "I can do all but this: …. Or all but this: ….", in the order given.
+  std::string alternatives(const std::vector<std::vector<Literal>>& given_up) const;
 
   /// "go from the hallway to the table", or without a template "go: hallway, table".
   std::string action(const GroundName& step) const;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "goal_alignment/alignment/beliefs.h"
 
@@ -29,6 +30,16 @@ struct Options {
   alignment::BeliefOptions belief;
   ConflictMode conflicts = ConflictMode::Full;
   UnsurePolicy unsure_policy = UnsurePolicy::AsYes;
+  std::size_t max_group_size = 1;    ///< fluents that one question may offer, 1 or more
+  bool negative_candidates = false;  ///< "not f" is a candidate, too, where the robot may make f so
+  /// Predicates that nobody is asked about. Their candidates are assumed to be wanted: a plan keeps
+  /// them, a proof of "no plan" may not rest on them. Names match without case.
+  std::vector<std::string> hidden_wanted;
+  /// The same, assumed not to be wanted: what the plan promises then does not hold for them.
+  std::vector<std::string> hidden_not_wanted;
+  /// What nobody was asked about is kept as long as that costs no more than this beyond a plan for
+  /// what is wanted; else the person is asked. Not negative.
+  double max_extra_cost = std::numeric_limits<double>::infinity();
   PlanMode plan = PlanMode::First;
   bool costs = false;             ///< use :action-costs where both models have them
   bool static_candidates = true;  ///< false takes static fluents out of policies `paper`, `ask-all`

@@ -41,7 +41,11 @@ struct FinalPlan {
   bool optimal = false;               ///< proven the cheapest for what it achieves
   std::vector<Literal> guaranteed;    ///< the specified goal and every fluent answered YES
   std::vector<Literal> kept_unasked;  ///< candidates achieved though nobody was asked
-  std::vector<Literal> not_wanted;    ///< candidates answered NO
+  std::int64_t extra_cost = 0;  ///< what `kept_unasked` costs beyond the cheapest plan found for
+                                ///< `guaranteed`; that plan need not be the cheapest there is
+  std::vector<Literal> not_wanted;          ///< candidates answered NO
+  std::vector<Literal> assumed_not_wanted;  ///< Options::hidden_not_wanted: nobody was asked, and
+                                            ///< the plan does not promise them
 };
 
 /// What could be had instead, after NO_PLAN: everything wanted but these fluents.

@@ -12,6 +12,8 @@
 #include "goal_alignment/common/limits.h"
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/pddl/source_position.h"
+#include "goal_alignment/questions/prospect.h"
+#include "goal_alignment/questions/reason.h"
 #include "goal_alignment/session/options.h"
 #include "goal_alignment/session/outcome.h"
 
@@ -77,6 +79,7 @@ struct CandidateView {
   double probability = 0;              ///< belief that the person wants it
   bool achievable = true;              ///< together with the specified goal, as far as is known
   bool is_static = false;              ///< no action of either model changes its predicate
+  bool assumed = false;                ///< nobody has said so: Options::hidden_…
   std::vector<std::size_t> conflicts;  ///< indices of the live conflicts it is in
   std::string answered_by;
 };
@@ -88,25 +91,41 @@ struct ConflictView {
   bool live = false;  ///< no fluent of it was answered NO
 };
 
+using questions::Reason;
+
 /// The open question, with all that its wording needs.
 struct QuestionView {
-  std::vector<Literal> fluents;   ///< usually one
-  std::vector<Literal> conflict;  ///< the live conflict that makes the answer matter; may be empty
-                                  ///< under the policies `paper` and `ask-all`
-  bool conflict_proven = false;   ///< false: "I could not make sure …"
-  std::vector<double> probabilities;  ///< beliefs of `fluents`
+  std::vector<Literal> fluents;       ///< one, or up to Options::max_group_size
+  std::vector<Reason> reasons;        ///< by fluent
+  std::vector<double> probabilities;  ///< beliefs, by fluent
   std::size_t asked = 0;              ///< questions asked before this one
   std::size_t max_remaining = 0;      ///< at most so many more, this one included
-  bool bound_is_provisional = false;  ///< conflicts are not complete: the bound may still change
+  bool bound_is_provisional = false;  ///< conflicts are not complete: the bound may still change,
+                                      ///< and so may the prospects
+  questions::Prospect if_yes;         ///< what follows if all of `fluents` matter
+  questions::Prospect if_no;          ///< and if none does
 };
 
 /// One question that was answered.
 struct QuestionRecord {
   std::vector<Literal> fluents;
-  std::vector<Literal> conflict;
-  bool conflict_proven = false;
-  AnswerKind answer = AnswerKind::No;
+  std::vector<Reason> reasons;      ///< by fluent
+  std::vector<AnswerKind> answers;  ///< by fluent
   std::size_t round = 0;
+};
+
+/// What would follow from answers that were not given.
+struct Consequence {
+  enum class Kind : std::uint8_t {
+    Unknown,    ///< the time did not suffice to find out
+    Plan,       ///< there is a plan for everything that then is not answered NO
+    NoPlan,     ///< proven
+    Questions,  ///< it depends on answers that were not given yet
+  };
+  Kind kind = Kind::Unknown;
+  std::vector<GroundName> plan;   ///< with Plan
+  std::vector<Literal> conflict;  ///< with NoPlan, and where one is known with Questions
+  std::size_t max_remaining = 0;  ///< with Questions: at most so many
 };
 
 /// Everything an onlooker may want to see.
@@ -156,8 +175,8 @@ class Session {
 
   /// Answers candidates, asked or not, at any time once the models are read. Refused:
   /// a fluent answered already (revise() changes it), a specified one, one outside S^H.
-  /// Answering part of an open question's fluents leaves the question open for the others, except
-  /// that YES settles the rest of them as NO. Decline ends the dialogue.
+  /// Answering part of an open question's fluents leaves the question open for the others. Decline
+  /// ends the dialogue.
   Receipt answer(const std::vector<Literal>& fluents, AnswerKind kind,
                  const std::string& answered_by);
 
@@ -177,7 +196,15 @@ class Session {
   /// be. Null before the models are read; valid until begin().
   const pddl::Model* robotModel() const;
 
-  /// Goes on under the limits and the unsure_policy of `options`; max_questions counts from here.
+  /// What would follow if the candidates `wanted` were answered YES, `not_wanted` NO, and all else
+  /// stayed as it is. Thinks for at most so many seconds; changes neither answers nor the open
+  /// question. Unknown before the models are analysed. Throws std::invalid_argument naming a fluent
+  /// that is no candidate, or is in both lists.
+  Consequence whatIf(const std::vector<Literal>& wanted, const std::vector<Literal>& not_wanted,
+                     double seconds);
+
+  /// Goes on under the limits, the unsure_policy and the max_group_size of `options`;
+  /// max_questions counts from here.
   /// After an outcome that decided nothing (50, 53, 54, 60 to 62, 64) the work is taken up again
   /// where it was left; a definite outcome stays. Throws std::invalid_argument like the
   /// constructor.

@@ -83,9 +83,9 @@ TEST(Phrases, AYesToTheQuestionMeansWanted) {
        "Does it matter to you that the tea is made with the good leaves?"},
       {{"(not (on-high-shelf tea))"}, "Does it matter to you that the tea is off the high shelf?"},
       {{"(p a)", "(q b)"},
-       "Do these matter to you: that \"p\" holds for a, and that \"q\" holds for b?"},
+       "Which of these matter to you: that \"p\" holds for a, and that \"q\" holds for b?"},
       {{"(p)", "(q)", "(r)"},
-       "Do these matter to you: that \"p\" holds; that \"q\" holds; and that \"r\" holds?"},
+       "Which of these matter to you: that \"p\" holds; that \"q\" holds; and that \"r\" holds?"},
   };
   for (const SpokenList& row : table) {
     EXPECT_EQ(tea().question(literals(row.pddl)), row.expected);

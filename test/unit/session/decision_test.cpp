@@ -45,7 +45,7 @@ std::vector<Literal> sorted(std::vector<Literal> literals) {
 std::vector<Literal> answered(const Session& session, AnswerKind kind) {
   std::vector<Literal> fluents;
   for (const QuestionRecord& record : session.questions()) {
-    if (record.answer == kind) fluents.push_back(record.fluents.front());
+    if (record.answers.front() == kind) fluents.push_back(record.fluents.front());
   }
   return sorted(fluents);
 }
@@ -117,10 +117,10 @@ RC_GTEST_PROP(Decision, AutoAsksOnlyInsideLiveConflicts, ()) {
     while (samples::think(session) == State::AwaitingAnswer) {
       const QuestionView& question = *session.question();
       const Literal fluent = question.fluents.front();
-      const CandidateBits conflict = hagl.bits(question.conflict);
+      const CandidateBits conflict = hagl.bits(question.reasons.front().conflict);
       RC_ASSERT((conflict & hagl.bits({fluent})) != 0U);
       RC_ASSERT((conflict & no) == 0U);  // it is live
-      RC_ASSERT(question.conflict_proven);
+      RC_ASSERT(question.reasons.front().proven);
       RC_ASSERT(!hagl.achievable(conflict));
       if (conflicts == ConflictMode::Full) {
         RC_ASSERT(hagl.minimalConflicts().count(conflict) > 0);

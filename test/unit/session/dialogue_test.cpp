@@ -175,7 +175,7 @@ Hesitant anyHesitant(RandomSource& random, const Hagl& hagl) {
 std::vector<Literal> answersOf(const Session& session, AnswerKind kind) {
   std::vector<Literal> result;
   for (const QuestionRecord& record : session.questions()) {
-    if (record.answer == kind) result.push_back(record.fluents.front());
+    if (record.answers.front() == kind) result.push_back(record.fluents.front());
   }
   return result;
 }
@@ -282,7 +282,7 @@ TEST(Dialogue, DeclineEndsItUndecided) {
   EXPECT_EQ(code(session), 61);
   EXPECT_FALSE(session.question().has_value());
   ASSERT_EQ(session.questions().size(), 1U);
-  EXPECT_EQ(session.questions().front().answer, AnswerKind::Decline);
+  EXPECT_EQ(session.questions().front().answers.front(), AnswerKind::Decline);
   EXPECT_EQ(session.questions().front().fluents, literals({"(held b)"}));
 }
 

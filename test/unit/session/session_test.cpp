@@ -72,8 +72,8 @@ TEST(Session, AsksAboutTheDeskWithReasons) {
   Session session = atFirstQuestion();
   const QuestionView first = *session.question();
   EXPECT_EQ(first.fluents, literals({"(held b)"}));
-  EXPECT_EQ(first.conflict, literals({"(held b)"}));
-  EXPECT_TRUE(first.conflict_proven);
+  EXPECT_EQ(first.reasons.front().conflict, literals({"(held b)"}));
+  EXPECT_TRUE(first.reasons.front().proven);
   EXPECT_EQ(first.asked, 0U);
   EXPECT_EQ(first.max_remaining, 4U);  // (down a) (free) (held a) (held b)
   EXPECT_FALSE(first.bound_is_provisional);

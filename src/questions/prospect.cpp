@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/questions/prospect.h"
+
+#include "goal_alignment/questions/policy.h"
+
+namespace goal_alignment::questions {
+
+using achievability::CandidateSet;
+using achievability::Conflict;
+using Ending = Prospect::Ending;
+
+namespace {
+
+/// The candidates whose answers still matter: those open in a live conflict.
+CandidateSet mattering(const Situation& situation) {
+  CandidateSet result(situation.knowledge.size());
+  for (const Conflict& conflict : situation.conflicts) {
+    if (situation.isLive(conflict)) result |= conflict.members;
+  }
+  for (std::size_t f = 0; f < situation.knowledge.size(); ++f) {
+    if (situation.knowledge[f] != Knowledge::Open) result.reset(f);
+  }
+  return result;
+}
+
+Ending endingOf(const Situation& situation) {
+  Ending ending = Ending::Plan;
+  for (const Conflict& conflict : situation.conflicts) {
+    if (!situation.isLive(conflict)) continue;
+    if (ending == Ending::Plan) ending = Ending::Open;
+    if (situation.openMembers(conflict) > 0) continue;
+    bool all_wanted = true;
+    for (const std::size_t f : achievability::members(conflict.members))
+      all_wanted = all_wanted && situation.knowledge[f] == Knowledge::Wanted;
+    if (conflict.proven && all_wanted) return Ending::NoPlan;
+    ending = Ending::Undecided;
+  }
+  return ending;
+}
+
+}  // namespace
+
+Prospect prospect(const Situation& situation, const std::vector<std::size_t>& candidates,
+                  Knowledge answer) {
+  CandidateSet before = mattering(situation);
+  Situation then = situation;
+  for (const std::size_t f : candidates) {
+    then.knowledge[f] = answer;
+    before.reset(f);
+  }
+  Prospect result;
+  result.ending = endingOf(then);
+  if (result.ending == Ending::Open) result.left = mattering(then).count();
+  result.settled = before.count() - result.left;
+  return result;
+}
+
+}  // namespace goal_alignment::questions

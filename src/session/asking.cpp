@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
+#include "implementation.h"
+
+/// What is asked, why, and how much more may follow.
+namespace goal_alignment::session {
+
+using achievability::CandidateSet;
+using achievability::Conflict;
+using questions::Knowledge;
+
+Reason Session::Implementation::reasonFor(const questions::Choice& choice) const {
+  if (!choice.conflict) return {};
+  const Conflict& conflict = robot().conflicts()[*choice.conflict];
+  return {fluents(conflict.members), conflict.proven, 0};
+}
+
+void Session::Implementation::ask(const std::vector<questions::Choice>& choices) {
+  std::vector<Dialogue::Posed> posed;
+  for (const questions::Choice& choice : choices)
+    posed.push_back({choice.candidate, reasonFor(choice)});
+  ask(posed);
+}
+
+void Session::Implementation::ask(const std::vector<Dialogue::Posed>& posed) {
+  std::vector<std::size_t> candidates;
+  for (const Dialogue::Posed& one : posed)
+    candidates.push_back(one.candidate);
+  const std::size_t asked = dialogue_.askedWith(candidates);
+  if (options_.max_questions >= 0 &&
+      asked > asked_before_ + static_cast<std::size_t>(options_.max_questions)) {
+    finish(OutcomeCode::QuestionLimit,
+           "the limit of questions is reached, and the outcome still depends on " +
+               spelling(dialogue_.fluents()[candidates.front()].atom));
+    return;
+  }
+  const questions::Situation now = situation();
+  QuestionView view;
+  for (const auto& [candidate, reason] : posed) {
+    view.fluents.push_back(dialogue_.fluents()[candidate]);
+    view.reasons.push_back(reason);
+    view.probabilities.push_back(beliefs_[candidate]);
+  }
+  view.asked = asked - 1;
+  view.max_remaining = mostRemaining(askable(now));
+  view.bound_is_provisional = !robot().complete();
+  view.if_yes = questions::prospect(now, candidates, Knowledge::Wanted);
+  view.if_no = questions::prospect(now, candidates, Knowledge::NotWanted);
+  dialogue_.ask(posed);
+  question_ = std::move(view);
+  state_ = State::AwaitingAnswer;
+}
+
+/// Whom a question may still be about.
+CandidateSet Session::Implementation::askable(const questions::Situation& now) const {
+  CandidateSet askable = ~robot().alwaysTrue();
+  const bool costs_matter = options_.max_extra_cost < std::numeric_limits<double>::infinity();
+  if (!policy_->usesConflicts()) {
+    askable.set();
+  } else if (robot().complete() && !costs_matter) {
+    askable.reset();
+    for (const Conflict& conflict : now.conflicts) {
+      if (now.isLive(conflict)) askable |= conflict.members;
+    }
+  }
+  return askable;
+}
+
+/// A question asks about one candidate at least.
+std::size_t Session::Implementation::mostRemaining(const CandidateSet& askable) const {
+  return (askable & dialogue_.with(Knowledge::Open)).count();
+}
+
+}  // namespace goal_alignment::session

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "goal_alignment/common/exceptions.h"
+#include "implementation.h"
+
+/// Outcomes: the plan and what it promises, or what there could be instead.
+namespace goal_alignment::session {
+
+using achievability::CandidateSet;
+using achievability::Conflict;
+using questions::Knowledge;
+
+namespace {
+
+/// More alternatives than a person reads.
+constexpr std::size_t kMostAlternatives = 10;
+
+}  // namespace
+
+void Session::Implementation::conclude(const CandidateSet& achieved, const task::Plan& first_plan) {
+  const auto began = Limits::Clock::now();
+  Outcome outcome;
+  outcome.code = OutcomeCode::Success;
+  outcome.plan = finalPlan(achieved, first_plan);
+  outcome.message = "the plan achieves what was asked for and all that was not answered no";
+  if (!outcome.plan.assumed_not_wanted.empty()) {
+    outcome.message += "; nobody was asked about this, it was assumed not to matter: " +
+                       listed(outcome.plan.assumed_not_wanted);
+  }
+  std::vector<Literal> promised = problem_->specified;
+  const std::vector<Literal> kept = fluents(achieved);
+  promised.insert(promised.end(), kept.begin(), kept.end());
+  const auto fault = validation::fault(problem_->robot, outcome.plan.steps, promised, cancelOnly());
+  if (fault) throw Exception("the plan found did not pass validation: " + *fault);
+  finish(std::move(outcome));
+  const std::chrono::duration<double> took = Limits::Clock::now() - began;
+  statistics_.plan += took.count();
+}
+
+FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
+                                             const task::Plan& first_plan) {
+  FinalPlan plan;
+  plan.steps = task::names(robot().task(), first_plan);
+  const std::vector<Literal> kept = fluents(achieved);
+  if (options_.plan == PlanMode::Optimal) {
+    const search::Result best = robot().optimalPlan(achieved, limits());
+    if (best.limit == LimitReason::Cancelled) throw LimitReached(best.limit, "the final plan");
+    plan.optimal = best.status == search::Status::Solved;
+    if (plan.optimal) plan.steps = task::names(robot().task(), best.plan);
+  } else if (options_.plan == PlanMode::Anytime) {
+    const search::Improved best = robot().improvedPlan(achieved, first_plan, limits());
+    if (best.limit == LimitReason::Cancelled) throw LimitReached(best.limit, "the final plan");
+    plan.optimal = best.optimal;
+    plan.steps = task::names(robot().task(), best.plan);
+  } else if (robot_side_.human_plan_runs) {
+    // The person's own plan is the one to prefer where it gives all that is needed.
+    std::vector<Literal> all = problem_->specified;
+    all.insert(all.end(), kept.begin(), kept.end());
+    if (!validation::fault(problem_->robot, problem_->human_plan, all, cancelOnly())) {
+      plan.steps = problem_->human_plan;
+    }
+  }
+  const validation::Execution execution =
+      validation::execute(problem_->robot, plan.steps, cancelOnly());
+  plan.cost = unit_costs_ ? static_cast<std::int64_t>(plan.steps.size()) : execution.cost();
+  plan.guaranteed = problem_->specified;
+  const CandidateSet asked = dialogue_.with(Knowledge::Wanted) | dialogue_.with(Knowledge::Unsure);
+  const std::vector<Literal> wanted = fluents(asked);
+  plan.guaranteed.insert(plan.guaranteed.end(), wanted.begin(), wanted.end());
+  const CandidateSet not_wanted = dialogue_.with(Knowledge::NotWanted);
+  plan.kept_unasked = fluents(achieved - asked - not_wanted);
+  plan.not_wanted = fluents(not_wanted - dialogue_.assumed());
+  plan.assumed_not_wanted = fluents(not_wanted & dialogue_.assumed());
+  if (!(achieved - asked - robot().alwaysTrue()).none())
+    plan.extra_cost = std::max<std::int64_t>(0, plan.cost - cheaply(asked, first_plan));
+  return plan;
+}
+
+/// Everything wanted but the smallest sets that hit all conflicts among it, likeliest first.
+std::vector<Alternative> Session::Implementation::alternatives() const {
+  const CandidateSet wanted = dialogue_.with(Knowledge::Wanted);
+  achievability::ConflictSet within(robot().candidateCount());
+  for (const Conflict& conflict : robot().conflicts()) {
+    if (conflict.proven && conflict.members.is_subset_of(wanted)) within.add(conflict);
+  }
+  std::vector<Alternative> result;
+  const auto* hitting_sets = within.minimalHittingSets(kMostAlternatives * kMostAlternatives);
+  if (hitting_sets == nullptr) return result;
+  for (const CandidateSet& given_up : *hitting_sets) {
+    Alternative alternative;
+    alternative.given_up = fluents(given_up);
+    alternative.probability = 1;
+    for (const std::size_t f : achievability::members(given_up)) {
+      alternative.probability *= 1 - beliefs_[f];
+    }
+    result.push_back(std::move(alternative));
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Alternative& a, const Alternative& b) {
+    return a.probability > b.probability;
+  });
+  if (result.size() > kMostAlternatives) result.resize(kMostAlternatives);
+  return result;
+}
+
+std::vector<Literal> Session::Implementation::fluents(const CandidateSet& set) const {
+  std::vector<Literal> result;
+  for (const std::size_t f : achievability::members(set))
+    result.push_back(dialogue_.fluents()[f]);
+  return result;
+}
+
+std::string Session::Implementation::listed(const std::vector<Literal>& literals) const {
+  std::string text;
+  for (const Literal& literal : literals) {
+    const std::string atom = spelling(literal.atom);
+    text += (text.empty() ? "" : ", ") + (literal.negated ? "(not " + atom + ")" : atom);
+  }
+  return text;
+}
+
+std::string Session::Implementation::askedFor() const {
+  const std::string literals = listed(problem_->specified);
+  return literals + (literals.empty() || problem_->condition.empty() ? "" : ", ") +
+         problem_->condition;
+}
+
+}  // namespace goal_alignment::session
