@@ -29,7 +29,7 @@ using samples::talk;
 
 std::vector<Options> allModes(std::uint64_t seed) {
   std::vector<Options> modes;
-  for (const char* policy : {"auto", "paper", "ask-all"}) {
+  for (const char* policy : {"auto", "optimal", "ratio", "paper", "ask-all"}) {
     for (const ConflictMode conflicts : {ConflictMode::Full, ConflictMode::Lazy}) {
       modes.push_back(options(policy, conflicts, seed));
     }
