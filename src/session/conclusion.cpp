@@ -40,6 +40,13 @@ void Session::Implementation::conclude(const CandidateSet& achieved, const task:
   statistics_.plan += took.count();
 }
 
+bool Session::Implementation::humanPlanAchieves(const std::vector<Literal>& kept) const {
+  if (!robot_side_.human_plan_runs) return false;
+  std::vector<Literal> all = problem_->specified;
+  all.insert(all.end(), kept.begin(), kept.end());
+  return !validation::fault(problem_->robot, problem_->human_plan, all, cancelOnly());
+}
+
 FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
                                              const task::Plan& first_plan) {
   FinalPlan plan;
@@ -55,13 +62,11 @@ FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
     if (best.limit == LimitReason::Cancelled) throw LimitReached(best.limit, "the final plan");
     plan.optimal = best.optimal;
     plan.steps = task::names(robot().task(), best.plan);
-  } else if (robot_side_.human_plan_runs) {
-    // The person's own plan is the one to prefer where it gives all that is needed.
-    std::vector<Literal> all = problem_->specified;
-    all.insert(all.end(), kept.begin(), kept.end());
-    if (!validation::fault(problem_->robot, problem_->human_plan, all, cancelOnly())) {
-      plan.steps = problem_->human_plan;
-    }
+  } else if (humanPlanAchieves(kept)) {
+    plan.steps = problem_->human_plan;  // the one to prefer where it gives all that is needed
+  } else if (trueAtEnd(first_plan).intersects(dialogue_.with(Knowledge::NotWanted))) {
+    // What is remembered does more than is wanted by now.
+    plan.steps = task::names(robot().task(), cheaply(achieved, first_plan).plan);
   }
   const validation::Execution execution =
       validation::execute(problem_->robot, plan.steps, cancelOnly());
@@ -75,7 +80,7 @@ FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
   plan.not_wanted = fluents(not_wanted - dialogue_.assumed());
   plan.assumed_not_wanted = fluents(not_wanted & dialogue_.assumed());
   if (!(achieved - asked - robot().alwaysTrue()).none())
-    plan.extra_cost = std::max<std::int64_t>(0, plan.cost - cheaply(asked, first_plan));
+    plan.extra_cost = std::max<std::int64_t>(0, plan.cost - cheaply(asked, first_plan).cost);
   return plan;
 }
 

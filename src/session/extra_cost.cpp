@@ -21,19 +21,11 @@ namespace {
 constexpr std::uint64_t kStates = 20'000;
 
 /// The same where nothing is decided by it: so many in a small task, fewer where each takes longer.
-constexpr std::uint64_t kStatesToTell = 2'000;
+constexpr std::uint64_t kStatesToTell = 500;
 constexpr std::uint64_t kLeastStates = 100;
 constexpr std::uint64_t kOperatorsToTell = 4'000'000;
 
 }  // namespace
-
-/// What a plan for fewer things costs, as far as a short search tells.
-task::Cost Session::Implementation::cheaply(const CandidateSet& set, const task::Plan& plan) {
-  const std::size_t operators = std::max<std::size_t>(1, robot().task().operators.size());
-  const std::uint64_t states =
-      std::clamp<std::uint64_t>(kOperatorsToTell / operators, kLeastStates, kStatesToTell);
-  return cheapened(set, plan, states).cost;
-}
 
 /// A plan for fewer things, made cheaper as far as so many states let.
 search::Improved Session::Implementation::cheapened(const CandidateSet& set, const task::Plan& plan,
@@ -41,6 +33,14 @@ search::Improved Session::Implementation::cheapened(const CandidateSet& set, con
   search::Improved best = robot().improvedPlan(set, plan, limits().withStates(states));
   if (best.limit == LimitReason::Cancelled) throw LimitReached(best.limit, "the final plan");
   return best;
+}
+
+/// The same as far as a short search finds it.
+search::Improved Session::Implementation::cheaply(const CandidateSet& set, const task::Plan& plan) {
+  const std::size_t operators = std::max<std::size_t>(1, robot().task().operators.size());
+  const std::uint64_t states =
+      std::clamp<std::uint64_t>(kOperatorsToTell / operators, kLeastStates, kStatesToTell);
+  return cheapened(set, plan, states);
 }
 
 CandidateSet Session::Implementation::trueAtEnd(const task::Plan& plan) const {

@@ -89,12 +89,13 @@ class Session::Implementation {
   bool askAboutCost(const achievability::CandidateSet& wished, const task::Plan& plan);
   search::Improved cheapened(const achievability::CandidateSet& set, const task::Plan& plan,
                              std::uint64_t states);
-  task::Cost cheaply(const achievability::CandidateSet& set, const task::Plan& plan);
+  search::Improved cheaply(const achievability::CandidateSet& set, const task::Plan& plan);
   achievability::CandidateSet trueAtEnd(const task::Plan& plan) const;
 
   // conclusion.cpp: outcomes
   void conclude(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
   FinalPlan finalPlan(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
+  bool humanPlanAchieves(const std::vector<Literal>& kept) const;
   std::vector<Alternative> alternatives() const;
   std::vector<Literal> fluents(const achievability::CandidateSet& set) const;
   std::string listed(const std::vector<Literal>& literals) const;

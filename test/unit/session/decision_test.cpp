@@ -29,7 +29,7 @@ using samples::talk;
 
 std::vector<Options> allModes(std::uint64_t seed) {
   std::vector<Options> modes;
-  for (const char* policy : {"auto", "paper", "ask-all"}) {
+  for (const std::string& policy : questions::policyNames()) {
     for (const ConflictMode conflicts : {ConflictMode::Full, ConflictMode::Lazy}) {
       modes.push_back(options(policy, conflicts, seed));
     }
@@ -43,11 +43,7 @@ std::vector<Literal> sorted(std::vector<Literal> literals) {
 }
 
 std::vector<Literal> answered(const Session& session, AnswerKind kind) {
-  std::vector<Literal> fluents;
-  for (const QuestionRecord& record : session.questions()) {
-    if (record.answers.front() == kind) fluents.push_back(record.fluents.front());
-  }
-  return sorted(fluents);
+  return sorted(samples::answered(session, kind));
 }
 
 void requireGoodPlan(const Hagl& hagl, const Session& session) {
@@ -84,11 +80,9 @@ void requireGoodRefusal(const Hagl& hagl, const Session& session, bool conflicts
   }
 }
 
-RC_GTEST_PROP(Decision, EveryPolicyEndsAsBruteForceSays, ()) {
-  RandomSource random = oracles::anySource();
-  const Hagl hagl = oracles::randomHagl(random);
+void requireRightEnds(const Hagl& hagl, std::uint64_t seed) {
   RC_LOG() << samples::text(hagl);
-  for (const Options& mode : allModes(random.below(1000))) {
+  for (const Options& mode : allModes(seed)) {
     Session session(mode);
     session.begin(hagl.input);
     const std::vector<Literal> asked = talk(session, honest(hagl));
@@ -103,6 +97,15 @@ RC_GTEST_PROP(Decision, EveryPolicyEndsAsBruteForceSays, ()) {
     for (const Literal& fluent : asked) {
       RC_ASSERT(std::count(hagl.candidates.begin(), hagl.candidates.end(), fluent) == 1);
     }
+  }
+}
+
+/// Five problems a case: 500 in the usual run.
+RC_GTEST_PROP(Decision, EveryPolicyEndsAsBruteForceSays, ()) {
+  RandomSource random = oracles::anySource();
+  for (int i = 0; i < 5; ++i) {
+    const Hagl hagl = oracles::randomHagl(random);
+    requireRightEnds(hagl, random.below(1000));
   }
 }
 

@@ -20,6 +20,8 @@ namespace {
 
 using oracles::CandidateBits;
 using oracles::Hagl;
+using samples::answered;
+using samples::anyOptions;
 using samples::atFirstQuestion;
 using samples::code;
 using samples::desk;
@@ -31,13 +33,6 @@ using samples::options;
 using samples::talk;
 using samples::think;
 using samples::wanting;
-
-Options anyOptions(RandomSource& random) {
-  const char* const policies[] = {"auto", "auto", "paper", "ask-all"};
-  return options(policies[random.below(4)],
-                 oracles::chance(random, 0.5) ? ConflictMode::Full : ConflictMode::Lazy,
-                 random.below(1000));
-}
 
 std::string refusal(Session& session, const std::vector<Literal>& fluents, AnswerKind kind) {
   const Receipt receipt = session.answer(fluents, kind, "somebody");
@@ -172,14 +167,6 @@ Hesitant anyHesitant(RandomSource& random, const Hagl& hagl) {
   return person;
 }
 
-std::vector<Literal> answersOf(const Session& session, AnswerKind kind) {
-  std::vector<Literal> result;
-  for (const QuestionRecord& record : session.questions()) {
-    if (record.answers.front() == kind) result.push_back(record.fluents.front());
-  }
-  return result;
-}
-
 RC_GTEST_PROP(Unsure, AsYesKeepsThePromiseAndProvesNothingWithIt, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomDisputedHagl(random);
@@ -188,8 +175,8 @@ RC_GTEST_PROP(Unsure, AsYesKeepsThePromiseAndProvesNothingWithIt, ()) {
   Session session(anyOptions(random));
   session.begin(hagl.input);
   talk(session, person);
-  const CandidateBits yes = hagl.bits(answersOf(session, AnswerKind::Yes));
-  const CandidateBits unsure = hagl.bits(answersOf(session, AnswerKind::Unsure));
+  const CandidateBits yes = hagl.bits(answered(session, AnswerKind::Yes));
+  const CandidateBits unsure = hagl.bits(answered(session, AnswerKind::Unsure));
   const CandidateBits conflict = hagl.bits(session.outcome().conflict);
   if (code(session) == 1) {
     std::vector<Literal> goal = hagl.specified;
@@ -247,7 +234,7 @@ RC_GTEST_PROP(Unsure, WhoNeverKnowsIsAskedTwiceAndNoMore, ()) {
     RC_ASSERT(count <= 2);
   RC_ASSERT(code(session) == 1 || code(session) == 52 || code(session) == 64);
   if (code(session) == 52) {
-    const CandidateBits yes = hagl.bits(answersOf(session, AnswerKind::Yes));
+    const CandidateBits yes = hagl.bits(answered(session, AnswerKind::Yes));
     RC_ASSERT((hagl.bits(session.outcome().conflict) & ~yes) == 0U);
   }
 }

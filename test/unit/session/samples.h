@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "goal_alignment/questions/policy.h"
 #include "goal_alignment/session/session.h"
 #include "oracles/random_hagl.h"
+#include "oracles/seeds.h"
 #include "unit/achievability/samples.h"
 #include "unit/alignment/samples.h"
 
@@ -64,9 +67,11 @@ inline State think(Session& session) {
 inline std::vector<Literal> talk(Session& session, const Person& person) {
   std::vector<Literal> asked;
   while (think(session) == State::AwaitingAnswer) {
-    const Literal fluent = session.question()->fluents.front();
-    asked.push_back(fluent);
-    session.answer({fluent}, person(fluent), "person");
+    const std::vector<Literal> fluents = session.question()->fluents;
+    for (const Literal& fluent : fluents) {
+      asked.push_back(fluent);
+      session.answer({fluent}, person(fluent), "person");
+    }
   }
   return asked;
 }
@@ -77,6 +82,25 @@ inline Options options(const std::string& policy, ConflictMode conflicts = Confl
   result.policy = policy;
   result.conflicts = conflicts;
   result.seed = seed;
+  return result;
+}
+
+/// Any policy, with or without all conflicts.
+inline Options anyOptions(RandomSource& random) {
+  const std::vector<std::string> policies = questions::policyNames();
+  return options(policies[random.below(policies.size())],
+                 oracles::chance(random, 0.5) ? ConflictMode::Full : ConflictMode::Lazy,
+                 random.below(1000));
+}
+
+/// What was answered so, in the order of the questions.
+inline std::vector<Literal> answered(const Session& session, AnswerKind kind) {
+  std::vector<Literal> result;
+  for (const QuestionRecord& record : session.questions()) {
+    for (std::size_t i = 0; i < record.fluents.size(); ++i) {
+      if (record.answers[i] == kind) result.push_back(record.fluents[i]);
+    }
+  }
   return result;
 }
 
