@@ -32,7 +32,12 @@ void AlignmentRunner::report(GoalTicket& ticket, const session::Snapshot& now,
 void AlignmentRunner::showToExplainer(const session::Snapshot& now) {
   Explained explained;
   explained.snapshot = now;
-  if (const auto& question = kept_.session->question()) explained.open_question = question->fluents;
+  if (const auto& question = kept_.session->question()) {
+    explained.open_question = question->fluents;
+    explained.open_why = toMessage(*question, kept_.phrases).why;
+    for (const session::Reason& reason : question->reasons)
+      explained.open_conflicts.push_back(reason.conflict);
+  }
   if (now.state == session::State::Done) {
     const session::Outcome& outcome = kept_.session->outcome();
     explained.outcome = outcome.code;

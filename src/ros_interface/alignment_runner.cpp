@@ -210,6 +210,21 @@ void AlignmentRunner::takeUpModels() {
   kept_.models_known = true;
   facts_.setModel(*kept_.session->robotModel());
   takeUpJournal();
+  const session::Snapshot now = kept_.session->snapshot();
+  for (const auto* hidden :
+       {&kept_.options.session.hidden_wanted, &kept_.options.session.hidden_not_wanted}) {
+    for (const std::string& name : *hidden)
+      warnIfNobodyIs(name, now);
+  }
+}
+
+// Its name may be a slip.
+void AlignmentRunner::warnIfNobodyIs(const std::string& hidden, const session::Snapshot& now) {
+  const bool known = std::any_of(
+      now.candidates.begin(), now.candidates.end(),
+      [&](const session::CandidateView& view) { return view.fluent.atom.name == hidden; });
+  if (known) return;
+  announcer_.tell(fmt::format("no candidate has the hidden predicate {}", hidden));
 }
 
 void AlignmentRunner::takeUpFacts() {

@@ -30,6 +30,19 @@ class WhySpeaker : public Speaker {
     }
   }
 
+  // As it was told with the question.
+  void speakOfOpenQuestion() {
+    say(explained_.open_why);
+    for (const ConflictView& conflict : snapshot().conflicts) {
+      const auto rests = [&](const std::vector<Literal>& reason) {
+        return std::is_permutation(reason.begin(), reason.end(), conflict.fluents.begin(),
+                                   conflict.fluents.end());
+      };
+      const auto& reasons = explained_.open_conflicts;
+      if (std::any_of(reasons.begin(), reasons.end(), rests)) note(conflict);
+    }
+  }
+
   // What the outcome rests on; where there is none, why nothing is asked.
   void speakOfOutcome() {
     const std::vector<Literal>& fluents = explained_.outcome_conflict;
@@ -167,6 +180,10 @@ class WhyNotSpeaker : public Speaker {
 
 Explain::Response explainWhy(const Explained& explained, const std::vector<Literal>& fluents) {
   WhySpeaker speaker(explained);
+  if (fluents.empty() && !explained.open_why.empty()) {
+    speaker.speakOfOpenQuestion();
+    return speaker.response();
+  }
   const std::vector<Literal>& about = fluents.empty() ? explained.open_question : fluents;
   for (const Literal& fluent : about)
     speaker.speakOf(fluent);

@@ -54,6 +54,10 @@ class Speaker {
   void restOn(const session::ConflictView& conflict) {
     if (!said_.insert(&conflict).second) return;
     say(explained_.phrases.reason(conflict.fluents, conflict.proven));
+    note(conflict);
+  }
+
+  void note(const session::ConflictView& conflict) {
     response_.conflicts.push_back(toMessage(conflict, explained_.phrases));
   }
 

@@ -87,6 +87,7 @@ class AlignmentRunner {
   void loop(GoalTicket& ticket);
   session::Snapshot step();  // and how things stand after it
   void takeUpModels();
+  void warnIfNobodyIs(const std::string& hidden, const session::Snapshot& now);
   void takeUpFacts();
   bool hasEnded();
   bool claimOutcome(GoalTicket& ticket);

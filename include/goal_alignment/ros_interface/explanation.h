@@ -14,7 +14,9 @@ namespace goal_alignment::ros_interface {
 /// What ~explain speaks of: the session as it stood after its last step.
 struct Explained {
   session::Snapshot snapshot;
-  std::vector<Literal> open_question;                         ///< empty: none is open
+  std::vector<Literal> open_question;                ///< empty: none is open
+  std::string open_why;                              ///< as the question says it; may be empty
+  std::vector<std::vector<Literal>> open_conflicts;  ///< that it rests on
   session::OutcomeCode outcome = session::OutcomeCode::None;  ///< None: it goes on
   std::vector<Literal>
       outcome_conflict;          ///< what the outcome rests on; empty: nothing, or none yet

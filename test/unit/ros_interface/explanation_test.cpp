@@ -59,6 +59,17 @@ TEST(ExplainWhy, theOpenQuestionWhereNothingIsNamed) {
   EXPECT_TRUE(says(response, "I can't have both")) << response.text;
 }
 
+TEST(ExplainWhy, theOpenQuestionIsExplainedAsItWasAsked) {
+  Explained explained = sample();
+  explained.open_why = "Because. If not, I can do all the rest.";
+  explained.open_conflicts = {literals({"(b)", "(a)"}), {}};
+  const auto response = explainWhy(explained, {});
+  EXPECT_TRUE(response.known);
+  EXPECT_EQ(response.text, explained.open_why);
+  ASSERT_EQ(response.conflicts.size(), 1U);
+  EXPECT_EQ(response.conflicts[0].fluents.size(), 2U);
+}
+
 TEST(ExplainWhy, aSuspicionIsNotAProof) {
   const auto response = explainWhy(sample(), literals({"(c)"}));
   EXPECT_TRUE(response.known);
