@@ -37,11 +37,13 @@ struct AlignArguments {
 std::optional<phrasing::Reply> askOnTerminal(const QuestionView& question,
                                              const phrasing::Phrases& phrases) {
   const std::size_t count = question.fluents.size();
-  std::cerr << phrases.question(question.fluents) << '\n';
+  std::cerr << "\nQuestion " << question.asked + 1 << " (at most " << question.max_remaining
+            << " left" << (question.bound_is_provisional ? ", as far as is known" : "")
+            << "): " << phrases.question(question.fluents) << '\n';
   for (std::size_t i = 0; count > 1 && i < count; ++i)
     std::cerr << "  " << i + 1 << ": " << phrases.clause(question.fluents[i]) << '\n';
-  const std::string why = phrases.why(question.reasons, question.if_yes, question.if_no,
-                                      question.bound_is_provisional);
+  const std::string why =
+      phrases.why(question.reasons, question.if_yes, question.if_no, question.bound_is_provisional);
   if (!why.empty()) std::cerr << "  Why I ask: " << why << '\n';
   std::cerr << '[' << phrasing::replyKeys(count) << "] " << std::flush;
   for (std::string line; std::getline(std::cin, line);) {
@@ -76,15 +78,15 @@ class Alignment {
     session_.begin(readInput(files));
     const InterruptGuard guard(session_);
     while (session_.step() != session::State::Done) {
-      if (session_.state() == session::State::AwaitingAnswer) answer(*session_.question());
+      if (session_.state() == session::State::AwaitingAnswer) answer();
     }
     report();
     return session::exitStatus(session_.outcome().code);
   }
 
  private:
-  /// `question` is a copy, since an answer may end it.
-  void answer(const QuestionView question) {
+  void answer() {
+    const QuestionView question = *session_.question();  // a copy, since an answer may end it
     if (oracle_) {
       for (const Literal& fluent : question.fluents)
         session_.answer({fluent}, oracle_->answer(fluent), "true goal");

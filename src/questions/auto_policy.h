@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "goal_alignment/common/random_source.h"
-#include "goal_alignment/questions/policy.h"
+#include "optimal_policy.h"
 
 namespace goal_alignment::questions {
 
-/// The default. Asks only inside live conflicts: the one with the fewest open candidates, there the
-/// candidate least likely to be wanted, since a single NO settles the conflict. Among equals the
-/// one in most live conflicts, then by the seed.
-class AutoPolicy : public Policy {
+/// The default: OptimalPolicy with so little work for one decision that nobody waits for it.
+class AutoPolicy : public OptimalPolicy {
  public:
-  explicit AutoPolicy(const Setting& setting) : random_(setting.seed) {}
-  std::optional<Choice> next(const Situation& situation) override;
-  bool usesConflicts() const override { return true; }
+  /// Less than 50 ms.
+  static constexpr std::uint64_t kWork = 3'000'000;
 
- private:
-  RandomSource random_;
+  explicit AutoPolicy(const Setting& setting) : OptimalPolicy(setting, kWork) {}
 };
 
 }  // namespace goal_alignment::questions

@@ -9,13 +9,6 @@
 
 namespace goal_alignment::questions {
 
-namespace {
-
-/// Values this close are one value: they are sums of the same products in another order.
-constexpr double kTolerance = 1e-9;
-
-}  // namespace
-
 std::vector<double> valueOfQuery(const std::vector<double>& belief,
                                  const std::vector<bool>& unachievable_alone) {
   std::vector<double> value(belief.size());

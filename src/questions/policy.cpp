@@ -7,7 +7,9 @@
 
 #include "ask_all_policy.h"
 #include "auto_policy.h"
+#include "optimal_policy.h"
 #include "paper_policy.h"
+#include "ratio_policy.h"
 
 namespace goal_alignment::questions {
 
@@ -23,8 +25,10 @@ struct Entry {
   std::unique_ptr<Policy> (*make)(Setting);
 };
 
-constexpr std::array<Entry, 3> kPolicies = {{
+constexpr std::array<Entry, 5> kPolicies = {{
     {"auto", make<AutoPolicy>},
+    {"optimal", make<OptimalPolicy>},
+    {"ratio", make<RatioPolicy>},
     {"paper", make<PaperPolicy>},
     {"ask-all", make<AskAllPolicy>},
 }};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "goal_alignment/questions/policy.h"
 #include "live_conflict.h"
@@ -10,17 +11,20 @@ namespace goal_alignment::questions {
 using achievability::Conflict;
 
 bool Situation::isLive(const Conflict& conflict) const {
-  const auto hit = achievability::members(conflict.members);
-  return std::none_of(hit.begin(), hit.end(), [this](std::size_t candidate) {
-    return knowledge[candidate] == Knowledge::NotWanted;
-  });
+  const auto& members = conflict.members;
+  for (std::size_t f = members.find_first(); f != members.npos; f = members.find_next(f)) {
+    if (knowledge[f] == Knowledge::NotWanted) return false;
+  }
+  return true;
 }
 
 std::size_t Situation::openMembers(const Conflict& conflict) const {
-  const auto members = achievability::members(conflict.members);
-  return static_cast<std::size_t>(std::count_if(
-      members.begin(), members.end(),
-      [this](std::size_t candidate) { return knowledge[candidate] == Knowledge::Open; }));
+  const auto& members = conflict.members;
+  std::size_t count = 0;
+  for (std::size_t f = members.find_first(); f != members.npos; f = members.find_next(f)) {
+    if (knowledge[f] == Knowledge::Open) ++count;
+  }
+  return count;
 }
 
 std::optional<std::size_t> smallestLiveConflict(const Situation& situation, std::size_t candidate) {
@@ -35,6 +39,34 @@ std::optional<std::size_t> smallestLiveConflict(const Situation& situation, std:
     if (!best || key(i) < key(*best)) best = i;
   }
   return best;
+}
+
+std::vector<LiveConflict> liveConflicts(const Situation& situation) {
+  std::vector<LiveConflict> live;
+  for (std::size_t i = 0; i < situation.conflicts.size(); ++i) {
+    if (!situation.isLive(situation.conflicts[i])) continue;
+    std::vector<std::size_t> open = achievability::members(situation.conflicts[i].members);
+    const auto answered = [&](std::size_t f) { return situation.knowledge[f] != Knowledge::Open; };
+    open.erase(std::remove_if(open.begin(), open.end(), answered), open.end());
+    if (open.empty()) return {};
+    live.push_back({i, std::move(open)});
+  }
+  return live;
+}
+
+Choice anyOf(const std::vector<std::size_t>& candidates, const Situation& situation,
+             RandomSource& random) {
+  std::vector<Choice> choices;
+  bool proven = false;
+  for (const std::size_t f : candidates) {
+    const Choice choice = {f, smallestLiveConflict(situation, f)};
+    const bool this_proven = choice.conflict && situation.conflicts[*choice.conflict].proven;
+    if (proven && !this_proven) continue;
+    if (this_proven && !proven) choices.clear();
+    proven = this_proven;
+    choices.push_back(choice);
+  }
+  return choices[random.below(choices.size())];
 }
 
 }  // namespace goal_alignment::questions

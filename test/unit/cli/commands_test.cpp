@@ -71,10 +71,7 @@ TEST(Usage, WhatIsToComeSaysSo) {
   const Folder folder;
   writeDesk(folder, "(down b)\n");
   const std::string dir = folder.path();
-  const std::vector<std::vector<std::string>> not_yet = {{"align", dir, "--policy", "optimal"},
-                                                         {"align", dir, "--policy", "ratio"},
-                                                         {"bench", dir, "--policy", "ratio"},
-                                                         {"perturb", "d.pddl", "--seed", "1"}};
+  const std::vector<std::vector<std::string>> not_yet = {{"perturb", "d.pddl", "--seed", "1"}};
   for (const auto& arguments : not_yet) {
     const Ended ended = hagl(arguments);
     EXPECT_EQ(ended.status, 2) << arguments.back();
@@ -230,7 +227,7 @@ TEST(Bench, AlignsEveryInstanceBelowAFolder) {
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0]["instance"], "one");
   EXPECT_EQ(rows[0]["policy"], "auto");
-  EXPECT_EQ(rows[0]["questions_mean"], 3.0);
+  EXPECT_EQ(rows[0]["questions_mean"], 4.0);
   EXPECT_EQ(rows[0]["outcome"], "plan_found");
   EXPECT_EQ(rows[2]["outcome"], "no_plan");
   const std::string csv = root.read("table.csv");

@@ -3,43 +3,57 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+#include <vector>
+
 namespace goal_alignment::phrasing {
 namespace {
 
-using Indices = std::vector<std::size_t>;
 using Kind = Reply::Kind;
 
-TEST(Reply, UnderstandsWhatPeopleType) {
-  EXPECT_EQ(parseReply("y", 1)->kind, Kind::Yes);
-  EXPECT_EQ(parseReply("  YES \r", 1)->kind, Kind::Yes);
-  EXPECT_EQ(parseReply("n", 1)->kind, Kind::No);
-  EXPECT_EQ(parseReply("No", 1)->kind, Kind::No);
-  EXPECT_EQ(parseReply("?", 1)->kind, Kind::Unsure);
-  EXPECT_EQ(parseReply("Don't know", 1)->kind, Kind::Unsure);
-  EXPECT_EQ(parseReply("decline", 1)->kind, Kind::Decline);
-  for (const char* rubbish : {"", " ", "yesno", "ye", "1", "y y", "all", "none", "\x01"}) {
-    EXPECT_FALSE(parseReply(rubbish, 1)) << rubbish;
+void expectKind(const std::vector<std::string>& lines, std::size_t fluents, Kind kind) {
+  for (const std::string& line : lines) {
+    const auto reply = parseReply(line, fluents);
+    ASSERT_TRUE(reply.has_value()) << line;
+    EXPECT_EQ(reply->kind, kind) << line;
+    EXPECT_TRUE(reply->chosen.empty()) << line;
   }
 }
 
-TEST(Reply, TakesNumbersForAGroup) {
-  EXPECT_EQ(parseReply("1 3", 3)->chosen, (Indices{0, 2}));
-  EXPECT_EQ(parseReply("2,3", 3)->chosen, (Indices{1, 2}));
-  EXPECT_EQ(parseReply("2 2", 3)->chosen, Indices{1});
-  EXPECT_EQ(parseReply("2", 3)->kind, Kind::Yes);
-  for (const char* all : {"y", "all"}) {
-    EXPECT_EQ(parseReply(all, 3)->kind, Kind::Yes);
-    EXPECT_TRUE(parseReply(all, 3)->chosen.empty());
-  }
-  EXPECT_EQ(parseReply("none", 3)->kind, Kind::No);
-  for (const char* rubbish : {"0", "4", "1 x", "1 4", "-1", ","}) {
-    EXPECT_FALSE(parseReply(rubbish, 3)) << rubbish;
+TEST(Reply, WordsInAnyCase) {
+  expectKind({"y", " YES\t", "Yes\r"}, 1, Kind::Yes);
+  expectKind({"n", "No "}, 1, Kind::No);
+  expectKind({"?", "u", "unsure", "Don't know", "i don't know"}, 1, Kind::Unsure);
+  expectKind({"d", "DECLINE"}, 1, Kind::Decline);
+  expectKind({"all", "yes"}, 2, Kind::Yes);
+  expectKind({"none", "no"}, 2, Kind::No);
+}
+
+TEST(Reply, NumbersChooseAmongSeveral) {
+  for (const std::string line : {"1 3", "3,1", " 1, 3 ", "1 3 3 1"}) {
+    const auto reply = parseReply(line, 3);
+    ASSERT_TRUE(reply.has_value()) << line;
+    EXPECT_EQ(reply->kind, Kind::Yes);
+    EXPECT_EQ(std::set<std::size_t>(reply->chosen.begin(), reply->chosen.end()),
+              (std::set<std::size_t>{0, 2}))
+        << line;
+    EXPECT_EQ(reply->chosen.size(), 2U);
   }
 }
 
-TEST(Reply, KeysSayWhatIsUnderstood) {
-  EXPECT_EQ(replyKeys(1), "y = yes, n = no, ? = don't know, d = no more questions");
-  EXPECT_NE(replyKeys(2).find("numbers of those that matter"), std::string::npos);
+TEST(Reply, AnythingElseIsNone) {
+  for (const std::string line :
+       {"", " ", "yesno", "y y", "\x01", "maybe", "1", "0", "yes please", "all", "none", "-1"})
+    EXPECT_FALSE(parseReply(line, 1).has_value()) << line;
+  for (const std::string line :
+       {"0", "4", "1 4", "1 x", "1.5", "-1", "1;2", ",", "99999999999999999999999"})
+    EXPECT_FALSE(parseReply(line, 3).has_value()) << line;
+}
+
+TEST(Reply, TheKeysNameWhatIsTaken) {
+  EXPECT_EQ(replyKeys(1).find("numbers"), std::string::npos);
+  EXPECT_NE(replyKeys(2).find("numbers"), std::string::npos);
 }
 
 }  // namespace

@@ -10,13 +10,15 @@ namespace goal_alignment::questions {
 namespace {
 
 TEST(Policy, EveryNameMakesOne) {
-  EXPECT_EQ(policyNames(), (std::vector<std::string>{"auto", "paper", "ask-all"}));
+  EXPECT_EQ(policyNames(),
+            (std::vector<std::string>{"auto", "optimal", "ratio", "paper", "ask-all"}));
   for (const std::string& name : policyNames())
     EXPECT_NE(makePolicy(name, {}), nullptr) << name;
 }
 
-TEST(Policy, OnlyAutoGoesByConflicts) {
-  EXPECT_TRUE(makePolicy("auto", {})->usesConflicts());
+TEST(Policy, AllButThePublishedOnesGoByConflicts) {
+  for (const char* name : {"auto", "optimal", "ratio"})
+    EXPECT_TRUE(makePolicy(name, {})->usesConflicts()) << name;
   EXPECT_FALSE(makePolicy("paper", {})->usesConflicts());
   EXPECT_FALSE(makePolicy("ask-all", {})->usesConflicts());
 }
@@ -28,7 +30,7 @@ TEST(Policy, AnUnknownNameIsRefusedWithThoseThereAre) {
   } catch (const std::invalid_argument& error) {
     const std::string what = error.what();
     EXPECT_NE(what.find("'pepper'"), std::string::npos) << what;
-    EXPECT_NE(what.find("auto, paper, ask-all"), std::string::npos) << what;
+    EXPECT_NE(what.find("auto, optimal, ratio, paper, ask-all"), std::string::npos) << what;
   }
 }
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "goal_alignment/common/random_source.h"
@@ -38,6 +41,33 @@ inline Situation anySituation(RandomSource& random) {
         conflict(candidates, 1 + random.below(sets - 1), oracles::chance(random, 0.7)));
   }
   return situation;
+}
+
+/// Nothing answered yet, all conflicts of at least one member.
+inline Situation anyFamily(RandomSource& random, std::size_t most_candidates,
+                           std::size_t most_conflicts = 8) {
+  const std::size_t candidates = oracles::between(random, 1, most_candidates);
+  Situation situation = fresh(candidates, {});
+  const double likely = random.unit();
+  for (double& p : situation.probability) {
+    p = oracles::chance(random, 0.3) ? static_cast<double>(random.below(11)) / 10
+                                     : random.unit() * likely;
+  }
+  const double density = random.unit();
+  for (std::size_t n = oracles::between(random, 1, most_conflicts); n > 0; --n) {
+    std::uint64_t members = std::uint64_t{1} << random.below(candidates);
+    for (std::size_t f = 0; f < candidates; ++f) {
+      if (oracles::chance(random, density)) members |= std::uint64_t{1} << f;
+    }
+    situation.conflicts.push_back(conflict(candidates, members, oracles::chance(random, 0.8)));
+  }
+  return situation;
+}
+
+inline std::unique_ptr<Policy> policyOf(const std::string& name, std::uint64_t seed = 0) {
+  Setting setting;
+  setting.seed = seed;
+  return makePolicy(name, setting);
 }
 
 /// The candidates that a policy asks when every answer is the same, in order.

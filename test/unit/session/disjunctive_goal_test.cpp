@@ -86,7 +86,7 @@ TEST(DisjunctiveGoal, EveryPersonGetsTheRightOutcome) {
     }
     const bool possible =
         within(wanted, {"(left)", "(lamp)"}) || within(wanted, {"(right)", "(fire)"});
-    for (const char* policy : {"auto", "paper", "ask-all"}) {
+    for (const char* policy : {"auto", "optimal", "ratio", "paper", "ask-all"}) {
       for (const ConflictMode mode : {ConflictMode::Full, ConflictMode::Lazy}) {
         Session session(options(policy, mode));
         session.begin(fork());

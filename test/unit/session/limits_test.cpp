@@ -52,7 +52,7 @@ RC_GTEST_PROP(SessionLimits, NeverMakeAnOutcomeWrong, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   RC_LOG() << samples::text(hagl);
-  for (const char* policy : {"auto", "paper", "ask-all"}) {
+  for (const char* policy : {"auto", "optimal", "ratio", "paper", "ask-all"}) {
     Options chosen =
         options(policy, oracles::chance(random, 0.5) ? ConflictMode::Full : ConflictMode::Lazy, 1);
     if (oracles::chance(random, 0.7)) {

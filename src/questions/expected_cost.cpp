@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "expected_cost.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "live_conflict.h"
+
+namespace goal_alignment::questions {
+
+namespace {
+
+constexpr double kNoCutoff = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+std::optional<Bits> ExpectedCost::bestFirst(const Family& family, std::uint64_t work) {
+  work_left_ = work;
+  if (const Bits first = certainlyFirst(family, p_); first != 0) return first;
+  std::vector<Option> options;
+  try {
+    for (Bits left = worthAsking(family, p_); left != 0; left = withoutFirst(left))
+      options.push_back(optionOf(family, firstBit(left)));
+    std::sort(options.begin(), options.end(),
+              [](const Option& a, const Option& b) { return a.least < b.least; });
+    double best = kNoCutoff;
+    Bits result = 0;
+    for (Option& option : options) {
+      const double of_option = valueOf(option, best * (1 + kTolerance));
+      if (of_option > best * (1 + kTolerance)) continue;
+      if (of_option < best * (1 - kTolerance)) result = 0;
+      best = std::min(best, of_option);
+      result |= alike(family, p_, option.candidate);
+    }
+    return result;
+  } catch (const OutOfWork&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<double> ExpectedCost::of(const Family& family, std::uint64_t work) {
+  work_left_ = work;
+  try {
+    return value(family, kNoCutoff);
+  } catch (const OutOfWork&) {
+    return std::nullopt;
+  }
+}
+
+/// Exact where it is below the cutoff; otherwise no more than the true value, and not below the
+/// cutoff.
+double ExpectedCost::value(const Family& family, double cutoff) {
+  if (isDisjoint(family)) return disjointCost(family, p_);
+  const FamilyKey key = family.key();
+  if (const auto found = known_.find(key); found != known_.end()) {
+    if (found->second.exact || found->second.value >= cutoff) return found->second.value;
+  }
+  const double result = leastOver(family, cutoff);
+  known_[key] = {result, result < cutoff};
+  return result;
+}
+
+double ExpectedCost::leastOver(const Family& family, double cutoff) {
+  spend(family.size());
+  if (const Bits first = certainlyFirst(family, p_); first != 0) {
+    Option option = optionOf(family, firstBit(first));
+    return valueOf(option, cutoff);
+  }
+  std::vector<Option> options;
+  for (Bits left = worthAsking(family, p_); left != 0; left = withoutFirst(left))
+    options.push_back(optionOf(family, firstBit(left)));
+  std::sort(options.begin(), options.end(),
+            [](const Option& a, const Option& b) { return a.least < b.least; });
+  double best = kNoCutoff;
+  for (Option& option : options)
+    best = std::min(best, valueOf(option, std::min(best, cutoff)));
+  return best;
+}
+
+/// As value(), of asking this first.
+double ExpectedCost::valueOf(Option& option, double cutoff) {
+  const double p = p_[option.candidate];
+  if (option.least >= cutoff) return option.least;
+  if (p < 1) {
+    const double no_cutoff = (cutoff - 1 - p * option.least_yes) / (1 - p);
+    option.least_no = value(option.no, no_cutoff);
+    option.weigh(p);
+    // Not by comparing the sum: rounding must not turn a bound into a value.
+    if (option.least_no >= no_cutoff) return std::max(option.least, cutoff);
+  }
+  if (p > 0) {
+    const double yes_cutoff = (cutoff - 1 - (1 - p) * option.least_no) / p;
+    option.least_yes = value(option.yes, yes_cutoff);
+    option.weigh(p);
+    if (option.least_yes >= yes_cutoff) return std::max(option.least, cutoff);
+  }
+  return option.least;
+}
+
+ExpectedCost::Option ExpectedCost::optionOf(const Family& family, std::size_t candidate) {
+  Option option;
+  option.candidate = candidate;
+  option.yes = family.ifWanted(candidate);
+  option.no = family.ifNotWanted(candidate);
+  const std::size_t with = family.size() - option.no.size();
+  spend(family.size() + with * option.no.size());
+  const double p = p_[candidate];
+  option.least_yes = p > 0 ? bound(option.yes) : 0;
+  option.least_no = p < 1 ? bound(option.no) : 0;
+  option.weigh(p);
+  return option;
+}
+
+double ExpectedCost::bound(const Family& family) const {
+  if (isDisjoint(family)) return disjointCost(family, p_);
+  const auto found = known_.find(family.key());
+  return found != known_.end() ? found->second.value : leastCost(family, p_);
+}
+
+void ExpectedCost::spend(std::uint64_t work) {
+  if (work_left_ < work) throw OutOfWork();
+  work_left_ -= work;
+}
+
+}  // namespace goal_alignment::questions

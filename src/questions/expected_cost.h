@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+
+#include "family.h"
+#include "family_bounds.h"
+
+namespace goal_alignment::questions {
+
+/// The least expected number of questions, exactly: stochastic Boolean function evaluation of a
+/// monotone DNF by expectimax over families with memory (Ünlüyurt, "Sequential testing of complex
+/// systems", 2004). The problem is NP-hard already for sets of two (Allen, Hellerstein, Kletenik &
+/// Ünlüyurt, 2017): branch and bound with the rules and bounds of family_bounds.h keeps most
+/// families small, and an allowance of work bounds the rest. What was computed is remembered, so
+/// that the states a dialogue comes to are known already.
+class ExpectedCost {
+ public:
+  explicit ExpectedCost(const Chances& p) : p_(p) {}
+
+  /// The candidates that a best dialogue may ask first, ties included, or nothing where the work
+  /// would be more than allowed. The family must not be empty. Work counts sets looked at.
+  std::optional<Bits> bestFirst(const Family& family, std::uint64_t work);
+
+  /// The expected number itself.
+  std::optional<double> of(const Family& family, std::uint64_t work);
+
+  std::size_t states() const { return known_.size(); }
+  std::uint64_t workLeft() const { return work_left_; }
+
+ private:
+  struct OutOfWork {};
+  struct Known {
+    double value;
+    bool exact;  // otherwise the true value is not below
+  };
+  struct Hash {
+    std::size_t operator()(const FamilyKey& key) const { return key.low; }
+  };
+  /// A question with the families it leads to.
+  struct Option {
+    std::size_t candidate;
+    Family yes;
+    Family no;
+    double least_yes;
+    double least_no;
+    double least;
+
+    void weigh(double p) { least = 1 + p * least_yes + (1 - p) * least_no; }
+  };
+
+  double value(const Family& family, double cutoff);
+  double leastOver(const Family& family, double cutoff);
+  double valueOf(Option& option, double cutoff);
+  Option optionOf(const Family& family, std::size_t candidate);
+  double bound(const Family& family) const;
+  void spend(std::uint64_t work);
+
+  Chances p_;
+  std::unordered_map<FamilyKey, Known, Hash> known_;
+  std::uint64_t work_left_ = 0;
+};
+
+}  // namespace goal_alignment::questions

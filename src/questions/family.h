@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace goal_alignment::questions {
+
+/// A set of up to 64 open candidates, one a bit.
+using Bits = std::uint64_t;
+
+inline constexpr std::size_t kMostBits = 64;
+
+inline Bits bitOf(std::size_t candidate) {
+  return Bits{1} << candidate;
+}
+inline std::size_t countBits(Bits bits) {
+  return static_cast<std::size_t>(__builtin_popcountll(bits));
+}
+/// The lowest bit's index; there must be one.
+inline std::size_t firstBit(Bits bits) {
+  return static_cast<std::size_t>(__builtin_ctzll(bits));
+}
+/// for (Bits left = set; left != 0; left = withoutFirst(left)) … firstBit(left) …
+inline Bits withoutFirst(Bits bits) {
+  return bits & (bits - 1);
+}
+
+/// What makes two families the same one, up to a chance of 2^-100.
+struct FamilyKey {
+  std::uint64_t low = 0;
+  std::uint64_t high = 0;
+  bool operator==(const FamilyKey& other) const { return low == other.low && high == other.high; }
+};
+
+void addTo(FamilyKey& key, Bits set);
+
+/// The state of a dialogue: is one of these sets all wanted? None of them is empty or within
+/// another. No set at all: the dialogue is over.
+class Family {
+ public:
+  /// Adds a set, unless one within it is there; drops those that it is within. O(sets).
+  void add(Bits set);
+
+  /// After YES: sets shrink, which may end it or make others superfluous. O(sets²) at worst.
+  Family ifWanted(std::size_t candidate) const;
+  /// After NO: sets go. O(sets).
+  Family ifNotWanted(std::size_t candidate) const;
+
+  bool empty() const { return sets_.empty(); }
+  std::size_t size() const { return sets_.size(); }
+  auto begin() const { return sets_.begin(); }
+  auto end() const { return sets_.end(); }
+
+  /// All candidates in it.
+  Bits all() const;
+  /// Independent of the sets' order.
+  FamilyKey key() const;
+
+ private:
+  std::vector<Bits> sets_;
+};
+
+}  // namespace goal_alignment::questions

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "family_bounds.h"
+
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <utility>
+
+#include "live_conflict.h"
+
+namespace goal_alignment::questions {
+
+namespace {
+
+/// Of one set.
+struct SetCost {
+  double all = 1;      ///< P(all wanted)
+  double cost = 0;     ///< E[questions until that is known]
+  double inverse = 0;  ///< Σ 1/p
+};
+
+SetCost costOf(Bits set, const Chances& p) {
+  boost::container::small_vector<double, 12> chance;
+  for (Bits left = set; left != 0; left = withoutFirst(left))
+    chance.push_back(p[firstBit(left)]);
+  std::sort(chance.begin(), chance.end());
+  SetCost result;
+  for (const double each : chance) {
+    result.cost += result.all;
+    result.all *= each;
+    result.inverse += 1 / each;
+  }
+  return result;
+}
+
+double leastChance(Bits set, const Chances& p) {
+  double least = 1;
+  for (Bits left = set; left != 0; left = withoutFirst(left))
+    least = std::min(least, p[firstBit(left)]);
+  return least;
+}
+
+Bits inSeveral(const Family& family) {
+  Bits once = 0;
+  Bits several = 0;
+  for (const Bits set : family) {
+    several |= once & set;
+    once |= set;
+  }
+  return several;
+}
+
+Bits leastLikely(Bits set, const Chances& p) {
+  const double least = leastChance(set, p);
+  Bits result = 0;
+  for (Bits left = set; left != 0; left = withoutFirst(left)) {
+    if (p[firstBit(left)] <= least * (1 + kTolerance)) result |= bitOf(firstBit(left));
+  }
+  return result;
+}
+
+/// Rule 1 of certainlyFirst().
+Bits firstOfLoneSets(const Family& family, const Chances& p) {
+  const Bits several = inSeveral(family);
+  double best_ratio = -1;
+  double rest = 0;
+  Bits first = 0;
+  for (const Bits set : family) {
+    const SetCost cost = costOf(set, p);
+    if ((set & several) != 0) {
+      rest = std::max(rest, 1 / cost.inverse);
+      continue;
+    }
+    const double ratio = cost.all / cost.cost;
+    if (ratio < best_ratio * (1 - kTolerance)) continue;
+    if (ratio > best_ratio * (1 + kTolerance)) first = 0;
+    best_ratio = std::max(best_ratio, ratio);
+    first |= leastLikely(set, p);
+  }
+  return best_ratio >= rest ? first : 0;
+}
+
+/// Rule 2 of certainlyFirst().
+Bits firstOfCore(const Family& family, const Chances& p) {
+  Bits core = ~Bits{0};
+  for (const Bits set : family)
+    core &= set;
+  if (core == 0) return 0;
+  const Bits first = leastLikely(core, p);
+  const Bits ignored = bitOf(firstBit(first));
+  double rest = 0;
+  Bits used = ignored;
+  for (const Bits set : family) {
+    if ((set & used & ~ignored) != 0) continue;
+    used |= set;
+    rest += 1 / (1 - leastChance(set & ~ignored, p));
+  }
+  return 1 / (1 - p[firstBit(first)]) <= rest ? first : 0;
+}
+
+/// Who stands beside a candidate.
+struct Kinship {
+  Bits all = 0;
+  std::array<Bits, kMostBits> beside;        // what is in every set with it
+  std::array<FamilyKey, kMostBits> links{};  // the sets with it, without it
+
+  explicit Kinship(const Family& family) {
+    beside.fill(~Bits{0});
+    for (const Bits set : family) {
+      all |= set;
+      for (Bits left = set; left != 0; left = withoutFirst(left)) {
+        const std::size_t f = firstBit(left);
+        beside[f] &= set;
+        addTo(links[f], set & ~bitOf(f));
+      }
+    }
+  }
+  bool together(std::size_t a, std::size_t b) const {
+    return (beside[a] & bitOf(b)) != 0 && (beside[b] & bitOf(a)) != 0;
+  }
+  bool exchangeable(std::size_t a, std::size_t b) const { return links[a] == links[b]; }
+
+  /// Asking b instead of a never costs more; of equals, the first one is kept.
+  bool replaces(std::size_t b, std::size_t a, const Chances& p) const {
+    if (together(a, b)) return p[b] < p[a] || (p[b] == p[a] && b < a);
+    if (exchangeable(a, b)) return p[b] > p[a] || (p[b] == p[a] && b < a);
+    return false;
+  }
+};
+
+}  // namespace
+
+bool isDisjoint(const Family& family) {
+  return inSeveral(family) == 0;
+}
+
+double disjointCost(const Family& family, const Chances& p) {
+  boost::container::small_vector<SetCost, 12> sets;
+  for (const Bits set : family)
+    sets.push_back(costOf(set, p));
+  std::sort(sets.begin(), sets.end(),
+            [](const SetCost& a, const SetCost& b) { return a.all / a.cost > b.all / b.cost; });
+  double sum = 0;
+  double reached = 1;
+  for (const SetCost& set : sets) {
+    sum += reached * set.cost;
+    reached *= 1 - set.all;
+  }
+  return sum;
+}
+
+double leastCost(const Family& family, const Chances& p) {
+  double smallest = kMostBits;
+  double disjoint = 0;
+  double least_yes = 1e300;
+  double least_no = 0;
+  double no = 1;           // P(no), from below
+  double disjoint_no = 1;  // P(none of the disjoint sets is all wanted)
+  Bits used = 0;
+  for (const Bits set : family) {
+    const SetCost cost = costOf(set, p);
+    smallest = std::min(smallest, static_cast<double>(countBits(set)));
+    least_yes = std::min(least_yes, cost.inverse);
+    no *= 1 - cost.all;
+    if ((set & used) != 0) continue;
+    used |= set;
+    ++disjoint;
+    disjoint_no *= 1 - cost.all;
+    least_no += 1 / (1 - leastChance(set, p));
+  }
+  const double yes = 1 - disjoint_no;  // P(yes), from below
+  const double by_size = disjoint >= smallest ? smallest + no * (disjoint - smallest)
+                                              : disjoint + yes * (smallest - disjoint);
+  return std::max({by_size, yes > 0 ? yes * least_yes : 0, no > 0 ? no * least_no : 0});
+}
+
+Bits certainlyFirst(const Family& family, const Chances& p) {
+  const Bits lone = firstOfLoneSets(family, p);
+  return lone != 0 ? lone : firstOfCore(family, p);
+}
+
+Bits worthAsking(const Family& family, const Chances& p) {
+  const Kinship kin(family);
+  Bits result = 0;
+  for (Bits left = kin.all; left != 0; left = withoutFirst(left)) {
+    const std::size_t f = firstBit(left);
+    bool replaced = false;
+    for (Bits others = kin.all; others != 0 && !replaced; others = withoutFirst(others)) {
+      const std::size_t other = firstBit(others);
+      replaced = other != f && kin.replaces(other, f, p);
+    }
+    if (!replaced) result |= bitOf(f);
+  }
+  return result;
+}
+
+Bits alike(const Family& family, const Chances& p, std::size_t candidate) {
+  const Kinship kin(family);
+  Bits result = 0;
+  for (Bits left = kin.all; left != 0; left = withoutFirst(left)) {
+    const std::size_t f = firstBit(left);
+    const bool kind = kin.together(f, candidate) || kin.exchangeable(f, candidate);
+    if (kind && p[f] == p[candidate]) result |= bitOf(f);
+  }
+  return result;
+}
+
+}  // namespace goal_alignment::questions

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "family.h"
+
+/// What can be said of the best dialogue over a family without looking ahead. Everything here is
+/// proven for independent answers; `p` is the chance of a YES by candidate.
+namespace goal_alignment::questions {
+
+using Chances = std::array<double, kMostBits>;
+
+/// Nothing but sets that share no candidate: then the best dialogue is known.
+bool isDisjoint(const Family& family);
+
+/// Its expected number of questions: sets by falling P/E, members by rising p. O(n log n).
+double disjointCost(const Family& family, const Chances& p);
+
+/// No dialogue expects fewer questions than this. O(total size).
+///
+/// Give each YES a value a and each NO a value b so that a question brings 1 at most on average:
+/// p·a + (1−p)·b ≤ 1. A dialogue that ends with YES has then collected all of a set, one that ends
+/// with NO one member at least of each set, so that
+/// E[questions] ≥ P(yes)·min_S Σ_S a + P(no)·min_H Σ_H b. Taken at a = b = 1, a = 1/p and
+/// b = 1/(1−p), with P(no) ≥ Π_S (1 − P(S)) (Harris 1960) and hitting sets H bounded by disjoint
+/// sets.
+double leastCost(const Family& family, const Chances& p);
+
+/// Candidates that some best dialogue asks first, each of them; none where no rule applies.
+///
+/// 1. A set that shares nothing with others: its least likely member, where its P/E is not below
+/// the
+///    rate P(ends with YES before τ)/E[questions before τ] that any strategy on the rest reaches by
+///    any time τ. With a as above that rate is at most max_S 1/Σ_S(1/p), or P/E for lone sets.
+///    Moving the lone set to the front of a dialogue then costs nothing.
+/// 2. Likewise with YES and NO exchanged: a member of every set, where 1/(1−p) is not above what
+/// the
+///    b of the other members add up to in every hitting set of the rest.
+Bits certainlyFirst(const Family& family, const Chances& p);
+
+/// Candidates worth asking: of those in exactly the same sets the least likely alone, and of those
+/// that are exchangeable (each set with one has a twin with the other) the likeliest. In a dialogue
+/// that asks the other one first, changing places does not cost more.
+Bits worthAsking(const Family& family, const Chances& p);
+
+/// Those in exactly the same sets, or exchangeable as above, and as likely: they cost the same.
+Bits alike(const Family& family, const Chances& p, std::size_t candidate);
+
+}  // namespace goal_alignment::questions

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "expected_cost.h"
+#include "goal_alignment/common/random_source.h"
+#include "goal_alignment/questions/policy.h"
+#include "live_conflict.h"
+#include "ratio_policy.h"
+
+namespace goal_alignment::questions {
+
+/// Asks so that the expected number of questions is least, where that can be computed within the
+/// work allowed for one decision; otherwise as RatioPolicy does. Work is counted, not timed, so
+/// that a seed replays.
+class OptimalPolicy : public Policy {
+ public:
+  /// Some ten seconds.
+  static constexpr std::uint64_t kWork = 10'000'000'000;
+
+  explicit OptimalPolicy(const Setting& setting, std::uint64_t work = kWork)
+      : work_(work), random_(setting.seed), ratio_(setting) {}
+  std::optional<Choice> next(const Situation& situation) override;
+  bool usesConflicts() const override { return true; }
+
+ private:
+  bool giveBits(const std::vector<LiveConflict>& live, const Situation& situation);
+  Family familyOf(const std::vector<LiveConflict>& live) const;
+
+  std::uint64_t work_;
+  RandomSource random_;
+  RatioPolicy ratio_;
+  // Each candidate that was ever open in a live conflict keeps its bit, so that what is remembered
+  // stays true when conflicts are hit or found.
+  std::vector<std::size_t> candidate_of_;
+  std::vector<double> probability_of_;
+  std::map<std::size_t, std::size_t> bit_of_;
+  std::optional<ExpectedCost> cost_;
+};
+
+}  // namespace goal_alignment::questions
