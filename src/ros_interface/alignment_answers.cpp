@@ -56,6 +56,26 @@ bool isAsked(const session::Snapshot& snapshot, const Literal& fluent) {
       });
 }
 
+// Without what of the group was answered. The prospects are those of the whole, so that then
+// nothing can be said of them.
+session::QuestionView stillAsked(const session::QuestionView& view, const session::Snapshot& now) {
+  session::QuestionView rest = view;
+  rest.fluents.clear();
+  rest.reasons.clear();
+  rest.probabilities.clear();
+  for (std::size_t i = 0; i < view.fluents.size(); ++i) {
+    if (!isAsked(now, view.fluents[i])) continue;
+    rest.fluents.push_back(view.fluents[i]);
+    rest.reasons.push_back(view.reasons[i]);
+    rest.probabilities.push_back(view.probabilities[i]);
+  }
+  if (rest.fluents.size() == view.fluents.size()) return view;
+  rest.if_yes = {};
+  rest.if_yes.ending = questions::Prospect::Ending::Plan;
+  rest.if_no = {};
+  return rest;
+}
+
 }  // namespace
 
 std::vector<Literal> AlignmentRunner::candidatesOf(const std::vector<Fluent>& fluents,
@@ -197,20 +217,25 @@ void AlignmentRunner::treatSilence() {
 
 void AlignmentRunner::openQuestion(GoalTicket& ticket, const session::Snapshot& now) {
   const session::QuestionView& view = *kept_.session->question();
-  open_ = toMessage(view, kept_.phrases);
+  open_ = toMessage(stillAsked(view, now), kept_.phrases);
   open_view_ = view;
   open_.session_id = kept_.id;
   open_.person = kept_.person;
   open_.question_id = bridge_.open(view.fluents);
+  beginPatience();
+  // First of all the result that a cancel would take: it may come as soon as the question is seen.
+  report(ticket, now, open_.text);
+  putQuestion(ticket, now);
+}
+
+// Also after an answer in part: who answers is there.
+void AlignmentRunner::beginPatience() {
   open_until_ = Clock::time_point::max();
   if (kept_.options.ask_timeout > 0) {
     const std::chrono::duration<double> timeout(kept_.options.ask_timeout);
     open_until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
     open_.expires = stampNow() + ros::Duration(kept_.options.ask_timeout);
   }
-  // First of all the result that a cancel would take: it may come as soon as the question is seen.
-  report(ticket, now, open_.text);
-  putQuestion(ticket, now);
 }
 
 void AlignmentRunner::putQuestion(GoalTicket& ticket, const session::Snapshot& now) {
@@ -223,14 +248,7 @@ void AlignmentRunner::putQuestion(GoalTicket& ticket, const session::Snapshot& n
 
 // What of a group was answered is shown no longer. It stays the same question, with the same id.
 void AlignmentRunner::narrowQuestion(GoalTicket& ticket, const session::Snapshot& now) {
-  session::QuestionView rest;
-  rest.if_yes.ending = questions::Prospect::Ending::Plan;  // of which nothing is said
-  for (std::size_t i = 0; i < open_view_.fluents.size(); ++i) {
-    if (!isAsked(now, open_view_.fluents[i])) continue;
-    rest.fluents.push_back(open_view_.fluents[i]);
-    rest.reasons.push_back(open_view_.reasons[i]);
-    rest.probabilities.push_back(open_view_.probabilities[i]);
-  }
+  const session::QuestionView rest = stillAsked(open_view_, now);
   if (rest.fluents.empty() || rest.fluents.size() == open_.fluents.size()) return;
   const Question shown = toMessage(rest, kept_.phrases);
   open_.fluents = shown.fluents;
@@ -238,6 +256,7 @@ void AlignmentRunner::narrowQuestion(GoalTicket& ticket, const session::Snapshot
   open_.why = shown.why;
   open_.conflict = shown.conflict;
   open_.probabilities = shown.probabilities;
+  beginPatience();
   putQuestion(ticket, now);
 }
 

@@ -133,6 +133,22 @@ TEST_F(Questions, aVolunteeredAnswerToOneOfAGroupLeavesTheOthersOpen) {
   expectAnswered(result, second, Candidate::WANTED);
 }
 
+TEST_F(Questions, whatIsLeftOfAGroupIsPutAgainAfterSilence) {
+  const Parameter timeout("ask_timeout", 0.3);
+  const Parameter retries("ask_retries", 1000);
+  const Question group = askAboutLamps();
+  const std::string left = textOf(group.fluents[1]);
+  // It may be put again just now, but it is always the same group.
+  EXPECT_TRUE(answer(kNo, 0, {textOf(group.fluents[0])}).accepted);
+  const auto again = questions_.waitFor([&](const Question& shown) {
+    return shown.question_id > group.question_id && textsOf(shown.fluents) == Texts{left};
+  });
+  ASSERT_TRUE(again);
+  EXPECT_GT(again->expires, again->header.stamp);
+  EXPECT_TRUE(eventually([&] { return answer(kNo).accepted; }));
+  EXPECT_EQ(expectEnd(AlignResult::SUCCESS).questions, 1U) << "it is one question";
+}
+
 TEST_F(Questions, whatAnAnswerMakesNeedlessIsTakenBackAndTheDialogueGoesOn) {
   const Question first = sendAndAwaitQuestion(lightLamps());
   ASSERT_EQ(first.fluents.size(), 1U);

@@ -107,6 +107,7 @@ class AlignmentRunner {
   void treatSilence();
   void openQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void narrowQuestion(GoalTicket& ticket, const session::Snapshot& now);
+  void beginPatience();
   void putQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void closeQuestion();
 
