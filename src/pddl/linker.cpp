@@ -73,6 +73,7 @@ Atom linkGroundAtom(const LinkContext& context, const ast::Atom& atom, const Voc
                     const std::string& source_name) {
   const Model& model = context.model;
   Atom ground{signatureOf(atom, vocabulary, source_name), {}};
+  ground.objects.reserve(atom.terms.size());
   const Predicate& signature = vocabulary.signatures[ground.predicate];
   for (std::size_t i = 0; i < atom.terms.size(); ++i) {
     const ObjectId object = context.objects.at(atom.terms[i], source_name);

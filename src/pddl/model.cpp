@@ -19,16 +19,6 @@ std::optional<int> findIn(const std::unordered_map<std::string, int>& ids,
 
 }  // namespace
 
-std::size_t AtomHash::operator()(const Atom& atom) const noexcept {
-  // Ids are small and dense; a multiplication each spreads them over the buckets.
-  std::uint64_t hash = static_cast<std::uint64_t>(atom.predicate) + 1;
-  for (const ObjectId object : atom.objects) {
-    hash = (hash ^ (static_cast<std::uint64_t>(object) + 1)) * 0x9e3779b97f4a7c15ULL;
-    hash ^= hash >> 29U;
-  }
-  return static_cast<std::size_t>(hash);
-}
-
 std::optional<PredicateId> Model::findPredicate(const std::string& lower_name) const {
   return findIn(predicate_ids_, lower_name);
 }
@@ -80,7 +70,8 @@ std::optional<Atom> Model::resolve(const GroundName& ground, std::string* why_no
     return fail(wrongCount(predicate.name.spelling, predicate.parameter_types.size(),
                            ground.arguments.size()));
   }
-  Atom atom{*id, {}};
+  std::optional<Atom> atom(std::in_place);
+  atom->predicate = *id;
   for (std::size_t i = 0; i < ground.arguments.size(); ++i) {
     const std::optional<ObjectId> object = findObject(ground.arguments[i]);
     if (!object) return unknown("object", ground.arguments[i], object_ids_);
@@ -89,12 +80,12 @@ std::optional<Atom> Model::resolve(const GroundName& ground, std::string* why_no
       return fail(wrongType(*this, objects[*object].name.spelling, objects[*object].type,
                             predicate.name.spelling, wanted));
     }
-    atom.objects.push_back(*object);
+    atom->objects.push_back(*object);
   }
   return atom;
 }
 
-GroundName Model::name(const Atom& atom) const {
+GroundName Model::name(const AtomView& atom) const {
   GroundName ground{predicates[atom.predicate].name.name, {}};
   for (const ObjectId object : atom.objects)
     ground.arguments.push_back(objects[object].name.name);

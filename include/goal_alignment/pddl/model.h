@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/common/limits.h"
+#include "goal_alignment/common/span.h"
 #include "goal_alignment/pddl/ast.h"
 #include "goal_alignment/pddl/exceptions.h"
 
@@ -112,18 +114,43 @@ struct Schema {
                                             ///< indexes Model::functions
 };
 
+/// The arguments of an atom; few have more than four, and these need no memory of their own.
+using Objects = boost::container::small_vector<ObjectId, 4>;
+
 /// `(predicate object …)` by ids.
 struct Atom {
   PredicateId predicate = 0;
-  std::vector<ObjectId> objects;
+  Objects objects;
 
   friend bool operator==(const Atom& a, const Atom& b) {
     return a.predicate == b.predicate && a.objects == b.objects;
   }
 };
 
+/// An atom whose objects stand in somebody else's memory.
+struct AtomView {
+  PredicateId predicate = 0;
+  Span<ObjectId> objects;
+
+  AtomView() = default;
+  AtomView(PredicateId of, Span<ObjectId> these) : predicate(of), objects(these) {}
+  AtomView(const Atom& atom) : AtomView(atom.predicate, atom.objects) {}  // NOLINT: the same atom
+
+  friend bool operator==(const AtomView& a, const AtomView& b) {
+    return a.predicate == b.predicate && a.objects == b.objects;
+  }
+};
+
 struct AtomHash {
-  std::size_t operator()(const Atom& atom) const noexcept;
+  std::size_t operator()(const AtomView& atom) const noexcept {
+    // Ids are small and dense; a multiplication each spreads them over the buckets.
+    std::uint64_t hash = static_cast<std::uint64_t>(atom.predicate) + 1;
+    for (const ObjectId object : atom.objects) {
+      hash = (hash ^ (static_cast<std::uint64_t>(object) + 1)) * 0x9e3779b97f4a7c15ULL;
+      hash ^= hash >> 29U;
+    }
+    return static_cast<std::size_t>(hash);
+  }
 };
 
 struct GoalLiteral {
@@ -162,7 +189,7 @@ struct Model {
   /// `why_not`, if given, then says which.
   std::optional<Atom> resolve(const GroundName& ground, std::string* why_not = nullptr) const;
 
-  GroundName name(const Atom& atom) const;
+  GroundName name(const AtomView& atom) const;
   std::vector<Literal> goalLiterals() const;
 
   /// The text of an atom or action with the names as they were written, where this model knows
