@@ -6,6 +6,7 @@
 namespace goal_alignment {
 
 void IdTable::insert(std::uint64_t hash, Id id) {
+  parts_.resize(kParts);
   Part& part = parts_[(hash >> 32U) % kParts];
   if (2 * part.taken >= part.slots.size()) grow(part);
   const std::size_t mask = part.slots.size() - 1;

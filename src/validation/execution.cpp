@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "evaluation.h"
+#include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/pddl/near_name.h"
 
 namespace goal_alignment::validation {
@@ -197,7 +198,10 @@ Execution execute(const pddl::Model& model, const std::vector<GroundName>& plan,
   LimitMonitor monitor(limits);
   Execution execution;
   AtomSet& state = execution.final_;
-  state.insert(model.init.begin(), model.init.end());
+  for (const pddl::Atom& atom : model.init) {
+    pollOrThrow(monitor, "executing a plan");
+    state.insert(atom);
+  }
   execution.costs.push_back(0);
   for (std::size_t i = 0; i < plan.size(); ++i) {
     Step step(model, plan[i], i, monitor);

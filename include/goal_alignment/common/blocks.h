@@ -49,7 +49,7 @@ class BlockVector {
   Iterator end() const { return {*this, size_}; }
 
  private:
-  static constexpr std::size_t kPerBlock = 4096;
+  static constexpr std::size_t kPerBlock = 1024;
 
   std::vector<std::unique_ptr<T[]>> blocks_;
   std::size_t size_ = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,6 +20,7 @@ class IdTable {
   /// The id with this hash for which `is_it(id)` holds, or kNone. Expected O(1).
   template <typename IsIt>
   Id find(std::uint64_t hash, IsIt&& is_it) const {
+    if (parts_.empty()) return kNone;
     const std::vector<Slot>& slots = partOf(hash).slots;
     if (slots.empty()) return kNone;
     const std::size_t mask = slots.size() - 1;
@@ -36,6 +36,7 @@ class IdTable {
 
   /// Fetches the place that find() and insert() will look at first.
   void prefetch(std::uint64_t hash) const {
+    if (parts_.empty()) return;
     const std::vector<Slot>& slots = partOf(hash).slots;
     if (!slots.empty()) __builtin_prefetch(&slots[tagOf(hash) & (slots.size() - 1)]);
   }
@@ -58,7 +59,7 @@ class IdTable {
   const Part& partOf(std::uint64_t hash) const { return parts_[(hash >> 32U) % kParts]; }
   void grow(Part& part);
 
-  std::array<Part, kParts> parts_;
+  std::vector<Part> parts_;  // none, or kParts
   std::size_t slots_ = 0;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,9 +9,11 @@
 
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/common/limits.h"
+#include "goal_alignment/common/short_vector.h"
 #include "goal_alignment/common/span.h"
 #include "goal_alignment/pddl/ast.h"
 #include "goal_alignment/pddl/exceptions.h"
+#include "goal_alignment/pddl/name_table.h"
 
 namespace goal_alignment::pddl {
 
@@ -28,6 +29,9 @@ constexpr TypeId kObjectType = 0;
 struct Spelled {
   std::string name;
   std::string spelling;
+
+  Spelled() = default;
+  explicit Spelled(std::string_view written) : name(toLower(written)), spelling(written) {}
 };
 
 /// A type of the tree below `object`, or the union `(either a b)`, which stands beside it.
@@ -115,7 +119,7 @@ struct Schema {
 };
 
 /// The arguments of an atom; few have more than four, and these need no memory of their own.
-using Objects = boost::container::small_vector<ObjectId, 4>;
+using Objects = ShortVector<ObjectId, 4>;
 
 /// `(predicate object …)` by ids.
 struct Atom {
@@ -209,9 +213,9 @@ struct Model {
 
  private:
   friend Model link(const ast::Domain& domain, const ast::Problem& problem, const Limits& limits);
-  std::unordered_map<std::string, PredicateId> predicate_ids_;
-  std::unordered_map<std::string, ObjectId> object_ids_;
-  std::unordered_map<std::string, SchemaId> schema_ids_;
+  NameTable predicate_ids_{"predicate"};
+  NameTable object_ids_{"object"};
+  NameTable schema_ids_{"action"};
 };
 
 /// Checks and resolves. Throws SemanticError (undeclared or doubly declared names, wrong arity,
