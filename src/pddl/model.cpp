@@ -74,6 +74,7 @@ std::optional<Atom> Model::resolve(const GroundName& ground, std::string* why_no
 
 GroundName Model::name(const AtomView& atom) const {
   GroundName ground{predicates[atom.predicate].name.name, {}};
+  ground.arguments.reserve(atom.objects.size());
   for (const ObjectId object : atom.objects)
     ground.arguments.push_back(objects[object].name.name);
   return ground;

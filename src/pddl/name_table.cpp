@@ -13,7 +13,8 @@ bool NameTable::add(std::string_view spelling, int id) {
   const std::string name = toLower(spelling);
   if (findLower(name)) return false;
   table_.insert(std::hash<std::string_view>{}(name), static_cast<IdTable::Id>(entries_.size()));
-  entries_.push_back({text_.keep(name), id});
+  entries_.push_back({text_.size(), name.size(), id});
+  text_ += name;
   return true;
 }
 
@@ -22,9 +23,9 @@ std::optional<int> NameTable::find(std::string_view spelling) const {
 }
 
 std::optional<int> NameTable::findLower(std::string_view name) const {
-  const IdTable::Id entry =
-      table_.find(std::hash<std::string_view>{}(name),
-                  [&](IdTable::Id id) { return entries_[id].name == Span<char>(name); });
+  const IdTable::Id entry = table_.find(std::hash<std::string_view>{}(name), [&](IdTable::Id id) {
+    return nameOf(entries_[id]) == name;
+  });
   if (entry == IdTable::kNone) return std::nullopt;
   return entries_[entry].id;
 }
@@ -38,7 +39,7 @@ std::string NameTable::unknown(std::string_view spelling) const {
   std::vector<std::string> names;
   names.reserve(entries_.size());
   for (const Entry& entry : entries_)
-    names.emplace_back(entry.name.begin(), entry.name.end());
+    names.emplace_back(nameOf(entry));
   return "unknown " + kind_ + " " + inQuotes(spelling) + suggestion(spelling, names);
 }
 

@@ -32,8 +32,7 @@ class TypeLinker {
   TypeId add(const ast::Name& name) {
     const auto id = static_cast<TypeId>(types_.size());
     if (!context_.types.add(name.spelling, id)) return *context_.types.find(name.spelling);
-    types_.push_back(
-        {Spelled(name.spelling), id == kObjectType ? -1 : kObjectType, {}});
+    types_.push_back({Spelled(name.spelling), id == kObjectType ? -1 : kObjectType, {}});
     positions_.push_back(name.position);
     return id;
   }

@@ -30,7 +30,7 @@ class BlockVector {
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
 
-  /// Calls are few: everything else goes by index.
+  /// For range-based loops only.
   class Iterator {
    public:
     Iterator(const BlockVector& of, std::size_t at) : of_(&of), at_(at) {}

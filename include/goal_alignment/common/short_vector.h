@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -21,6 +22,10 @@ class ShortVector {
   using value_type = T;
 
   ShortVector() = default;
+  ShortVector(std::initializer_list<T> values) {
+    for (const T& value : values)
+      push_back(value);
+  }
   ShortVector(const ShortVector& other) { append(other); }
   ShortVector(ShortVector&& other) noexcept { swap(other); }
   ShortVector& operator=(ShortVector other) noexcept {

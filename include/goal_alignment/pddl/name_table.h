@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "goal_alignment/common/blocks.h"
 #include "goal_alignment/common/id_table.h"
 #include "goal_alignment/pddl/ast.h"
 
@@ -33,12 +33,17 @@ class NameTable {
 
  private:
   struct Entry {
-    Span<char> name;
+    std::size_t begin = 0;
+    std::size_t size = 0;
     int id = 0;
   };
 
+  std::string_view nameOf(const Entry& entry) const {
+    return std::string_view(text_).substr(entry.begin, entry.size);
+  }
+
   std::string kind_;
-  ArrayStore<char> text_;
+  std::string text_;  // all names in a row
   std::vector<Entry> entries_;
   IdTable table_;  // of the entries
 };
