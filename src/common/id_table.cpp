@@ -18,7 +18,7 @@ void IdTable::insert(std::uint64_t hash, Id id) {
 }
 
 void IdTable::grow(Part& part) {
-  constexpr std::size_t kFirst = 8;
+  constexpr std::size_t kFirst = 16;
   std::vector<Slot> larger(part.slots.empty() ? kFirst : 2 * part.slots.size());
   const std::size_t mask = larger.size() - 1;
   for (const Slot& slot : part.slots) {

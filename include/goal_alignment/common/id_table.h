@@ -44,7 +44,7 @@ class IdTable {
   std::size_t bytes() const { return slots_ * sizeof(Slot); }
 
  private:
-  static constexpr std::size_t kParts = 128;
+  static constexpr std::size_t kParts = 64;
 
   struct Slot {
     Id id = kNone;  // kNone: free
