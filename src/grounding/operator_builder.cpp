@@ -259,6 +259,7 @@ void OperatorBuilder::addOperator(std::size_t instantiation, FactSet preconditio
   op.cost = cost(instantiation);
   op.name.name = schema.name.name;
   const auto& arguments = reached_.instantiations[instantiation].arguments;
+  op.name.arguments.reserve(schema.parameters.size());
   for (std::size_t i = 0; i < schema.parameters.size(); ++i) {
     const auto object = static_cast<std::size_t>(arguments[i]);
     op.name.arguments.push_back(model_.objects[object].name.name);
