@@ -66,8 +66,10 @@ std::vector<Candidate> candidatesOf(const Problem& problem, const Limits& limits
         !changes(problem.human, fluent.atom) && !changes(problem.robot, fluent.atom);
     candidates.push_back({fluent, is_static});
   }
-  std::sort(candidates.begin(), candidates.end(),
-            [](const Candidate& a, const Candidate& b) { return a.fluent < b.fluent; });
+  std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+    pollOrThrow(monitor, "finding what the person expects");
+    return a.fluent < b.fluent;
+  });
   return candidates;
 }
 
@@ -101,7 +103,7 @@ Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Lite
   if (problem.expectation.violation) throw HumanPlanInvalid(*problem.expectation.violation);
   const validation::AtomSet& expected = problem.expectation.finalState();
   const std::vector<Literal> missing =
-      validation::unsatisfied(problem.human, expected, problem.specified);
+      validation::unsatisfied(problem.human, expected, problem.specified, limits);
   const bool condition = validation::satisfiesCondition(problem.human, expected, limits);
   if (!missing.empty() || !condition) {
     throw GoalNotExpected(missing, condition ? "" : problem.condition, problem.human_plan.empty());

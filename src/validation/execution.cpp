@@ -225,9 +225,11 @@ Execution execute(const pddl::Model& model, const std::vector<GroundName>& plan,
 }
 
 std::vector<Literal> unsatisfied(const pddl::Model& model, const AtomSet& state,
-                                 const std::vector<Literal>& goal) {
+                                 const std::vector<Literal>& goal, const Limits& limits) {
   std::vector<Literal> missing;
+  LimitMonitor monitor(limits);
   for (const Literal& literal : goal) {
+    pollOrThrow(monitor, "checking a goal");
     if (!holds(model, state, literal)) missing.push_back(literal);
   }
   return missing;
@@ -245,7 +247,7 @@ std::optional<std::string> fault(const pddl::Model& model, const std::vector<Gro
   const Execution execution = execute(model, plan, limits);
   if (execution.violation) return execution.violation->message;
   std::string missing;
-  for (const Literal& literal : unsatisfied(model, execution.finalState(), goal)) {
+  for (const Literal& literal : unsatisfied(model, execution.finalState(), goal, limits)) {
     const std::string atom = model.spelling(literal.atom);
     missing += (literal.negated ? " (not " + atom + ")" : " " + atom);
   }
