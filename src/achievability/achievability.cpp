@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/common/parallel.h"
 #include "goal_alignment/heuristics/mutex_groups.h"
 #include "goal_alignment/search/astar.h"
@@ -32,8 +33,7 @@ SearchBudget scaled(SearchBudget budget, std::uint64_t operators) {
 
 }  // namespace
 
-Achievability::Achievability(const grounding::GroundTask& robot,
-                             const std::vector<Literal>& specified,
+Achievability::Achievability(grounding::GroundTask robot, const std::vector<Literal>& specified,
                              const std::vector<Literal>& candidates, const SearchBudget& budget,
                              const Limits& limits)
     : budget_(scaled(budget, robot.task.operators.size())),
@@ -45,8 +45,8 @@ Achievability::Achievability(const grounding::GroundTask& robot,
   classify(robot, specified, candidates);
   const heuristics::MutexTable mutexes(robot.task, limits);
   findMutexConflicts(mutexes);
-  task_.emplace(mutexes.withoutInapplicable(robot.task),
-                heuristics::mutexGroups(robot.task, mutexes, limits));
+  heuristics::MutexGroups groups = heuristics::mutexGroups(robot.task, mutexes, limits);
+  task_.emplace(mutexes.withoutInapplicable(std::move(robot.task)), std::move(groups), limits);
 }
 
 void Achievability::classify(const grounding::GroundTask& robot,
@@ -146,11 +146,13 @@ void Achievability::recordPlan(const task::Plan& plan) {
   }
 }
 
-void Achievability::recordExecution(const std::vector<GroundName>& actions) {
+void Achievability::recordExecution(const std::vector<GroundName>& actions, const Limits& limits) {
+  LimitMonitor monitor(limits);
   std::unordered_map<GroundName, std::vector<task::OperatorId>> ids;
   for (const GroundName& action : actions)
     ids[action];
   for (task::OperatorId op = 0; op < task().operators.size(); ++op) {
+    pollOrThrow(monitor, "following the human's plan");
     const auto found = ids.find(task().operators[op].name);
     if (found != ids.end()) found->second.push_back(op);
   }

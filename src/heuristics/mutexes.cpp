@@ -73,9 +73,11 @@ Part makePart(const task::Task& task, OperatorId id, const ConditionalEffect* ef
   return part;
 }
 
-std::vector<Part> partsOf(const task::Task& task) {
+std::vector<Part> partsOf(const task::Task& task, LimitMonitor& monitor) {
   std::vector<Part> parts;
+  parts.reserve(task.operators.size());
   for (OperatorId op = 0; op < task.operators.size(); ++op) {
+    pollOrThrow(monitor, "the mutex table");
     parts.push_back(makePart(task, op, nullptr));
     for (const ConditionalEffect& effect : task.operators[op].conditional) {
       if (!effect.add.empty()) parts.push_back(makePart(task, op, &effect));
@@ -109,7 +111,7 @@ class MutexTable::Fixpoint {
   Fixpoint(MutexTable& table, const task::Task& task, const Limits& limits)
       : table_(table),
         monitor_(limits),
-        parts_(partsOf(task)),
+        parts_(partsOf(task, monitor_)),
         needed_by_(task.facts.size()),
         work_(parts_.size()),
         after_(table.words_) {

@@ -17,10 +17,10 @@ heuristics::MutexGroups singleFacts(const task::Task& task) {
 
 }  // namespace
 
-SearchTask::SearchTask(task::Task task, heuristics::MutexGroups groups)
+SearchTask::SearchTask(task::Task task, heuristics::MutexGroups groups, const Limits& limits)
     : task_(std::move(task)),
       groups_(std::move(groups)),
-      successors_(task_),
+      successors_(task_, limits),
       packing_(task_, groups_) {}
 
 SearchTask::SearchTask(task::Task task)

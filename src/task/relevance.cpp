@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "goal_alignment/common/exceptions.h"
+
 namespace goal_alignment::task {
 
 namespace {
@@ -14,10 +16,12 @@ namespace {
 /// Walks from the goal's facts to the operators that add them, and on to what these need.
 class BackwardReachability {
  public:
-  explicit BackwardReachability(const Task& task) : task_(task), adders_(task.facts.size()) {
+  BackwardReachability(const Task& task, const Limits& limits)
+      : task_(task), monitor_(limits), adders_(task.facts.size()) {
     found_.facts.assign(task.facts.size(), false);
     found_.operators.assign(task.operators.size(), false);
     for (OperatorId op = 0; op < task.operators.size(); ++op) {
+      poll();
       for (const FactId fact : task.operators[op].add)
         adders_[fact].push_back({op, nullptr});
       for (const ConditionalEffect& effect : task.operators[op].conditional) {
@@ -34,6 +38,7 @@ class BackwardReachability {
       const FactId fact = open_.back();
       open_.pop_back();
       for (const auto& [op, effect] : adders_[fact]) {
+        poll();
         if (effect != nullptr) need(effect->condition);
         if (found_.operators[op]) continue;
         found_.operators[op] = true;
@@ -53,6 +58,8 @@ class BackwardReachability {
     const ConditionalEffect* effect;  // null: adds it in any case
   };
 
+  void poll() { pollOrThrow(monitor_, "finding what matters for the goal"); }
+
   void need(const FactSet& facts) {
     for (const FactId fact : facts) {
       if (!found_.facts[fact]) open_.push_back(fact);
@@ -61,6 +68,7 @@ class BackwardReachability {
   }
 
   const Task& task_;
+  LimitMonitor monitor_;
   std::vector<std::vector<Adder>> adders_;
   Relevance found_;
   std::vector<FactId> open_;
@@ -70,12 +78,15 @@ constexpr FactId kDropped = static_cast<FactId>(-1);
 
 class Projector {
  public:
-  Projector(const Task& task, const Goal& goal) : task_(task), goal_(goal) {}
+  Projector(const Task& task, const Goal& goal, const Limits& limits)
+      : task_(task), goal_(goal), limits_(limits) {}
 
   Projection run() {
-    const Relevance relevant = relevance(task_, goal_);
+    const Relevance relevant = relevance(task_, goal_, limits_);
     number(relevant.facts);
+    LimitMonitor monitor(limits_);
     for (OperatorId op = 0; op < task_.operators.size(); ++op) {
+      pollOrThrow(monitor, "leaving out what does not matter");
       if (relevant.operators[op]) addOperator(op);
     }
     result_.task.initial = mapped(task_.initial);
@@ -141,6 +152,7 @@ class Projector {
 
   const Task& task_;
   const Goal& goal_;
+  Limits limits_;
   std::vector<FactId> number_;
   std::map<Key, OperatorId> known_;
   Projection result_;
@@ -148,12 +160,12 @@ class Projector {
 
 }  // namespace
 
-Relevance relevance(const Task& task, const Goal& goal) {
-  return BackwardReachability(task).from(goal);
+Relevance relevance(const Task& task, const Goal& goal, const Limits& limits) {
+  return BackwardReachability(task, limits).from(goal);
 }
 
-Projection project(const Task& task, const Goal& goal) {
-  return Projector(task, goal).run();
+Projection project(const Task& task, const Goal& goal, const Limits& limits) {
+  return Projector(task, goal, limits).run();
 }
 
 Plan Projection::original(const Plan& plan) const {

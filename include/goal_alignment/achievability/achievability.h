@@ -52,13 +52,13 @@ class Achievability {
   /// Classifies the candidates and finds the conflicts of stages 1 (relaxed reachability, unknown
   /// names) and 2 (h² mutexes). `robot` must have been grounded with `specified` and `candidates`.
   /// Throws LimitReached.
-  Achievability(const grounding::GroundTask& robot, const std::vector<Literal>& specified,
+  Achievability(grounding::GroundTask robot, const std::vector<Literal>& specified,
                 const std::vector<Literal>& candidates, const SearchBudget& budget,
                 const Limits& limits);
 
   /// Stage 0: a sequence of ground actions known to run; every state on the way that satisfies the
   /// specified goal is an achieved set.
-  void recordExecution(const std::vector<GroundName>& actions);
+  void recordExecution(const std::vector<GroundName>& actions, const Limits& limits = {});
 
   /// Can all of `set` be had together with the specified goal? Answers from memory where it can,
   /// else searches: greedily, then through all reachable states (stage 3, at most once), one by one
