@@ -36,12 +36,14 @@ class Questions : public Scenario {
     ASSERT_TRUE(eventually([this] { return events_.isHeard(); }));
   }
 
-  // A question about one lamp of each pair.
+  // A question about one lamp of each pair: where a no is the likelier answer, the first lamp of a
+  // pair is likely to settle the other.
   Question askAboutLamps() {
-    const Parameter groups("max_group_size", 4);
+    const Parameter groups("max_group_size", 2);
+    const Parameter belief("belief", "flat:0.2");
     const Question question = sendAndAwaitQuestion(lightLamps());
     EXPECT_EQ(question.fluents.size(), 2U);
-    EXPECT_EQ(question.probabilities.size(), 2U);
+    EXPECT_EQ(question.probabilities, (std::vector<double>{0.2, 0.2}));
     EXPECT_TRUE(contains(question.text, "Which of these matter to you")) << question.text;
     return question;
   }
@@ -173,7 +175,7 @@ TEST_F(Questions, theGoalsGroupSizeCountsMoreThanTheParameter) {
   goal.continue_session = expectEnd(AlignResult::CANCELED).session_id;
   goal.max_group_size = 0;
   const Question group = sendAndAwaitQuestion(goal);
-  EXPECT_EQ(group.fluents.size(), 2U) << "a goal that goes on has its own";
+  EXPECT_GT(group.fluents.size(), 1U) << "a goal that goes on has its own";
   EXPECT_TRUE(answer(kNo, group.question_id).accepted);
   EXPECT_EQ(expectEnd(AlignResult::SUCCESS).questions, 1U);
 }
