@@ -11,6 +11,7 @@
 #include "goal_alignment/search/astar.h"
 #include "goal_alignment/search/greedy.h"
 #include "goal_alignment/task/state.h"
+#include "subset_map.h"
 
 namespace goal_alignment::achievability {
 
@@ -26,7 +27,8 @@ constexpr std::uint64_t kLeastStates = 500;
 
 SearchBudget scaled(SearchBudget budget, std::uint64_t operators) {
   if (operators <= kOperators) return budget;
-  for (std::uint64_t* states : {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy})
+  for (std::uint64_t* states :
+       {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy, &budget.shrinking})
     *states = std::min(*states, std::max(*states * kOperators / operators, kLeastStates));
   return budget;
 }
@@ -40,14 +42,15 @@ Achievability::Achievability(grounding::GroundTask robot, const std::vector<Lite
       facts_(candidates.size(), kNoFact),
       always_true_(candidates.size()),
       never_true_(candidates.size()),
-      reached_(candidates.size()),
-      conflicts_(candidates.size()) {
+      reached_(candidates.size()) {
   classify(robot, specified, candidates);
   const heuristics::MutexTable mutexes(robot.task, limits);
   findMutexConflicts(mutexes);
   heuristics::MutexGroups groups = heuristics::mutexGroups(robot.task, mutexes, limits);
   task_.emplace(mutexes.withoutInapplicable(std::move(robot.task)), std::move(groups), limits);
 }
+
+Achievability::~Achievability() = default;
 
 void Achievability::classify(const grounding::GroundTask& robot,
                              const std::vector<Literal>& specified,
@@ -129,6 +132,18 @@ task::Goal Achievability::goalWith(const CandidateSet& set) const {
   return task::withFacts(specified_, facts);
 }
 
+void Achievability::learn(const Conflict& conflict) {
+  if (conflicts_.add(conflict) && map_) map_->blockUp(conflict.members);
+}
+
+void Achievability::learnAchieved(const CandidateSet& set, task::Plan plan) {
+  if (achieved_.covering(set) != nullptr) return;
+  achieved_.add(set, std::move(plan));
+  if (conflicts_.clearSuspectedWithin(set)) map_.reset();  // it can't take back what it was told
+  if (map_) map_->blockDown(set);
+  if (set.all()) complete_ = true;
+}
+
 void Achievability::recordPlan(const task::Plan& plan) {
   // A specified literal that is never true is no fact, so no state shows that it is missing.
   const bool goal_possible = conflicts_.provenWithin(CandidateSet(facts_.size())) == nullptr;
@@ -137,8 +152,7 @@ void Achievability::recordPlan(const task::Plan& plan) {
     const CandidateSet now = satisfied(state.data());
     reached_ |= now;
     if (goal_possible && task::satisfies(state.data(), specified_)) {
-      achieved_.add(now, {plan.begin(), plan.begin() + static_cast<std::ptrdiff_t>(step)});
-      conflicts_.clearSuspectedWithin(now);
+      learnAchieved(now, {plan.begin(), plan.begin() + static_cast<std::ptrdiff_t>(step)});
     }
     if (step == plan.size()) break;
     const task::State before = state;
@@ -181,6 +195,14 @@ std::optional<Check> Achievability::recall(const CandidateSet& set) const {
 
 Check Achievability::check(const CandidateSet& set, const Limits& limits) {
   if (const auto known = recall(set)) return *known;
+  Check result = search(set, limits);
+  if (result.verdict == Verdict::Unknown) result = narrow(set, std::move(result), limits);
+  if (result.verdict == Verdict::Unknown) last_limit_ = result.limit;
+  return result;
+}
+
+/// The way from searches to sweeps and back.
+Check Achievability::search(const CandidateSet& set, const Limits& limits) {
   Check last;
   if (!swept_) {
     if (const auto found = searchGreedily(set, limits.withStates(budget_.first_greedy), last)) {
@@ -202,7 +224,6 @@ Check Achievability::check(const CandidateSet& set, const Limits& limits) {
   if (last.limit == LimitReason::States && sweep_limit_ == LimitReason::Memory) {
     last.limit = LimitReason::Memory;
   }
-  last_limit_ = last.limit;
   return last;
 }
 
