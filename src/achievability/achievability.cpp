@@ -43,9 +43,10 @@ Achievability::Achievability(grounding::GroundTask robot, const std::vector<Lite
       always_true_(candidates.size()),
       never_true_(candidates.size()),
       reached_(candidates.size()) {
-  classify(robot, specified, candidates);
+  LimitMonitor monitor(limits);
+  classify(robot, specified, candidates, monitor);
   const heuristics::MutexTable mutexes(robot.task, limits);
-  findMutexConflicts(mutexes);
+  findMutexConflicts(mutexes, monitor);
   heuristics::MutexGroups groups = heuristics::mutexGroups(robot.task, mutexes, limits);
   task_.emplace(mutexes.withoutInapplicable(std::move(robot.task)), std::move(groups), limits);
 }
@@ -54,11 +55,12 @@ Achievability::~Achievability() = default;
 
 void Achievability::classify(const grounding::GroundTask& robot,
                              const std::vector<Literal>& specified,
-                             const std::vector<Literal>& candidates) {
+                             const std::vector<Literal>& candidates, LimitMonitor& monitor) {
   using Kind = FactStatus::Kind;
   specified_ = robot.goal(specified);
   if (specified_.alternatives.empty()) addConflict({});
   for (std::size_t i = 0; i < candidates.size(); ++i) {
+    pollOrThrow(monitor, "looking at the candidates");
     const FactStatus status = robot.status(candidates[i]);
     if (status.kind == Kind::Variable) {
       facts_[i] = status.fact;
@@ -84,7 +86,8 @@ void Achievability::addConflict(const std::vector<std::size_t>& candidates) {
   conflicts_.add(conflict);
 }
 
-void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
+void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes,
+                                       LimitMonitor& monitor) {
   auto& alternatives = specified_.alternatives;
   const auto impossible = [&](const FactSet& facts) { return mutexes.contains(facts); };
   alternatives.erase(std::remove_if(alternatives.begin(), alternatives.end(), impossible),
@@ -94,6 +97,7 @@ void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
   std::vector<CandidateSet> possible(facts_.size(), CandidateSet(alternatives.size()));
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < facts_.size(); ++i) {
+    pollOrThrow(monitor, "looking at the candidates");
     if (facts_[i] == kNoFact) continue;
     if (mutexes.mutex(facts_[i], facts_[i])) never_true_.set(i);
     for (std::size_t k = 0; k < alternatives.size(); ++k) {
@@ -109,6 +113,7 @@ void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
   }
   for (std::size_t a = 0; a < open.size(); ++a) {
     for (std::size_t b = a + 1; b < open.size(); ++b) {
+      pollOrThrow(monitor, "looking at pairs of candidates");
       const bool mutex = mutexes.mutex(facts_[open[a]], facts_[open[b]]);
       if (mutex || !possible[open[a]].intersects(possible[open[b]]))
         addConflict({open[a], open[b]});

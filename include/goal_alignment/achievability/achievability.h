@@ -125,8 +125,8 @@ class Achievability {
   static constexpr task::FactId kNoFact = static_cast<task::FactId>(-1);
 
   void classify(const grounding::GroundTask& robot, const std::vector<Literal>& specified,
-                const std::vector<Literal>& candidates);
-  void findMutexConflicts(const heuristics::MutexTable& mutexes);
+                const std::vector<Literal>& candidates, LimitMonitor& monitor);
+  void findMutexConflicts(const heuristics::MutexTable& mutexes, LimitMonitor& monitor);
   void addConflict(const std::vector<std::size_t>& candidates);
   void learn(const Conflict& conflict);
   void learnAchieved(const CandidateSet& set, task::Plan plan);
