@@ -26,8 +26,8 @@ constexpr std::uint64_t kLeastStates = 500;
 
 SearchBudget scaled(SearchBudget budget, std::uint64_t operators) {
   if (operators <= kOperators) return budget;
-  for (std::uint64_t* states :
-       {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy, &budget.shrinking})
+  for (std::uint64_t* states : {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy,
+                                &budget.shrinking, &budget.parts})
     *states = std::min(*states, std::max(*states * kOperators / operators, kLeastStates));
   return budget;
 }
@@ -44,10 +44,10 @@ Achievability::Achievability(const grounding::GroundTask& robot,
       never_true_(candidates.size()),
       reached_(candidates.size()) {
   classify(robot, specified, candidates);
-  const heuristics::MutexTable mutexes(robot.task, limits);
-  findMutexConflicts(mutexes);
-  task_.emplace(mutexes.withoutInapplicable(robot.task),
-                heuristics::mutexGroups(robot.task, mutexes, limits));
+  mutexes_.emplace(robot.task, limits);
+  findMutexConflicts(*mutexes_);
+  task_.emplace(mutexes_->withoutInapplicable(robot.task),
+                heuristics::mutexGroups(robot.task, *mutexes_, limits));
 }
 
 Achievability::~Achievability() = default;
@@ -229,16 +229,21 @@ std::optional<Check> Achievability::searchGreedily(const CandidateSet& set, cons
                                                    Check& last) {
   ++planner_calls_;
   const search::Result result = search::greedy(*task_, goalWith(set), limits);
+  auto check = learnFrom(set, result, limits);
+  if (!check) last = {Verdict::Unknown, {}, result.limit};
+  return check;
+}
+
+/// What a search says of the set; nothing where a limit ended it.
+std::optional<Check> Achievability::learnFrom(const CandidateSet& set, const search::Result& result,
+                                              const Limits& limits) {
+  if (result.status == search::Status::LimitReached) return std::nullopt;
   if (result.status == search::Status::Solved) {
     recordPlan(result.plan);
     return Check{Verdict::Achievable, result.plan, {}};
   }
-  if (result.status == search::Status::Unsolvable) {
-    addUnachievable(set, limits);
-    return Check{Verdict::Unachievable, {}, {}};
-  }
-  last = {Verdict::Unknown, {}, result.limit};
-  return std::nullopt;
+  addUnachievable(set, limits);
+  return Check{Verdict::Unachievable, {}, {}};
 }
 
 search::Result Achievability::optimalPlan(const CandidateSet& set, const Limits& limits) {
