@@ -27,8 +27,8 @@ constexpr std::uint64_t kLeastStates = 500;
 
 SearchBudget scaled(SearchBudget budget, std::uint64_t operators) {
   if (operators <= kOperators) return budget;
-  for (std::uint64_t* states :
-       {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy, &budget.shrinking})
+  for (std::uint64_t* states : {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy,
+                                &budget.shrinking, &budget.parts})
     *states = std::min(*states, std::max(*states * kOperators / operators, kLeastStates));
   return budget;
 }
@@ -45,10 +45,10 @@ Achievability::Achievability(grounding::GroundTask robot, const std::vector<Lite
       reached_(candidates.size()) {
   LimitMonitor monitor(limits);
   classify(robot, specified, candidates, monitor);
-  const heuristics::MutexTable mutexes(robot.task, limits);
-  findMutexConflicts(mutexes, monitor);
-  heuristics::MutexGroups groups = heuristics::mutexGroups(robot.task, mutexes, limits);
-  task_.emplace(mutexes.withoutInapplicable(std::move(robot.task)), std::move(groups), limits);
+  mutexes_.emplace(robot.task, limits);
+  findMutexConflicts(*mutexes_, monitor);
+  heuristics::MutexGroups groups = heuristics::mutexGroups(robot.task, *mutexes_, limits);
+  task_.emplace(mutexes_->withoutInapplicable(std::move(robot.task)), std::move(groups), limits);
 }
 
 Achievability::~Achievability() = default;
@@ -236,16 +236,21 @@ std::optional<Check> Achievability::searchGreedily(const CandidateSet& set, cons
                                                    Check& last) {
   ++planner_calls_;
   const search::Result result = search::greedy(*task_, goalWith(set), limits);
+  auto check = learnFrom(set, result, limits);
+  if (!check) last = {Verdict::Unknown, {}, result.limit};
+  return check;
+}
+
+/// What a search says of the set; nothing where a limit ended it.
+std::optional<Check> Achievability::learnFrom(const CandidateSet& set, const search::Result& result,
+                                              const Limits& limits) {
+  if (result.status == search::Status::LimitReached) return std::nullopt;
   if (result.status == search::Status::Solved) {
     recordPlan(result.plan);
     return Check{Verdict::Achievable, result.plan, {}};
   }
-  if (result.status == search::Status::Unsolvable) {
-    addUnachievable(set, limits);
-    return Check{Verdict::Unachievable, {}, {}};
-  }
-  last = {Verdict::Unknown, {}, result.limit};
-  return std::nullopt;
+  addUnachievable(set, limits);
+  return Check{Verdict::Unachievable, {}, {}};
 }
 
 search::Result Achievability::optimalPlan(const CandidateSet& set, const Limits& limits) {
