@@ -43,8 +43,8 @@ Posed posed(const std::string& domain, const std::string& problem,
 std::unique_ptr<Achievability> robotOf(const Posed& task, const SearchBudget& budget) {
   std::vector<Literal> goals = task.specified;
   goals.insert(goals.end(), task.candidates.begin(), task.candidates.end());
-  const auto ground = grounding::ground(task.robot, goals, {}, {});
-  return std::make_unique<Achievability>(ground, task.specified, task.candidates, budget, Limits{});
+  return std::make_unique<Achievability>(grounding::ground(task.robot, goals, {}, {}),
+                                         task.specified, task.candidates, budget, Limits{});
 }
 
 std::set<Names> conflictsOf(const Posed& task, const Achievability& robot) {
