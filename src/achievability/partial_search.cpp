@@ -65,8 +65,8 @@ class PartialSearch {
       open.pop_back();
       if (kept(next)) continue;
       const FactSet& group = task_.groups().groups()[task_.groups().place(next).group];
-      FactSet other = otherGroup(next);
-      keepGroup(keptOf(other) > keptOf(group) ? std::move(other) : group);
+      const FactSet other = otherGroup(next);
+      keepGroup(keptOf(other) > keptOf(group) ? other : group);
       for (const task::Operator& op : whole().operators) {
         for (const task::ConditionalEffect& effect : op.conditional) {
           if (keptOf(effect.add) + keptOf(effect.del) == 0) continue;
@@ -163,11 +163,20 @@ class PartialSearch {
       return result;
     }
     std::vector<OperatorId> origin;
-    task::Projection projection = task::project(part(origin), goal);
-    heuristics::MutexGroups groups = groupsOf(projection);
-    const SearchTask ready(std::move(projection.task), std::move(groups));
-    result = searchReady(ready, projection.goal);
-    result.plan = projection.original(result.plan);
+    task::Task own = part(origin);
+    const bool conditional = std::any_of(own.operators.begin(), own.operators.end(),
+                                         [](const auto& op) { return !op.conditional.empty(); });
+    if (conditional) {
+      // That a group has one value at most is relied on to the letter here, and it would no longer
+      // be so without the operators that only take a value away.
+      const SearchTask ready(own, {own, groups_});
+      result = searchReady(ready, goal);
+    } else {
+      task::Projection projection = task::project(own, goal);
+      const SearchTask ready(projection.task, groupsOf(projection));
+      result = searchReady(ready, projection.goal);
+      result.plan = projection.original(result.plan);
+    }
     for (OperatorId& op : result.plan)
       op = origin[op];
     return result;
