@@ -130,7 +130,8 @@ void addAlignCommand(CLI::App& app, Run& run) {
   auto* true_goal =
       command->add_option("--true-goal", arguments->true_goal, "answers the questions");
   command->add_flag("--interactive", arguments->interactive, "you answer")->excludes(true_goal);
-  command->add_option("--policy", arguments->words.policy, "auto, optimal, ratio, paper or ask-all");
+  command->add_option("--policy", arguments->words.policy,
+                      "auto, optimal, ratio, paper or ask-all");
   arguments->words.add(*command);
   command->add_flag("--json", arguments->json);
   command->callback([arguments, &run] {
