@@ -4,11 +4,13 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -158,13 +160,20 @@ void published(benchmark::State& state, const std::string& policy, double probab
   state.counters["rounds_of_six"] = static_cast<double>(most_rounds);
 }
 
+std::string joined(const std::vector<std::string>& parts) {
+  std::string name;
+  for (const std::string& part : parts)
+    name.append(name.empty() ? "" : "/").append(part);
+  return name;
+}
+
 void registerAll() {
-  const auto chance = [](double most) { return most < 0.5 ? "/unlikely" : "/any"; };
+  const auto chance = [](double most) { return most < 0.5 ? "unlikely" : "any"; };
   for (const std::string policy : {"auto", "ratio", "optimal"}) {
     for (const double most : {0.22, 0.9}) {
       for (const std::string family : {"pairs", "triples"}) {
         benchmark::RegisterBenchmark(
-            ("decision/" + policy + "/" + family + chance(most)).c_str(),
+            joined({"decision", policy, family, chance(most)}).c_str(),
             [=](benchmark::State& state) { decision(state, policy, family, most); })
             ->UseManualTime()
             ->Iterations(policy == "optimal" ? 2 : 10)
@@ -176,13 +185,13 @@ void registerAll() {
     for (const double most : {0.22, 0.9}) {
       for (const std::string& family : conflictFamilies()) {
         benchmark::RegisterBenchmark(
-            ("gap/" + policy + "/" + family + chance(most)).c_str(),
+            joined({"gap", policy, family, chance(most)}).c_str(),
             [=](benchmark::State& state) { gap(state, policy, family, most); })
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
       }
       benchmark::RegisterBenchmark(
-          ("gap/" + policy + "/published" + chance(most)).c_str(),
+          joined({"gap", policy, "published", chance(most)}).c_str(),
           [=](benchmark::State& state) { published(state, policy, most / 2); })
           ->Iterations(1)
           ->Unit(benchmark::kMillisecond);
@@ -190,7 +199,7 @@ void registerAll() {
   }
   for (const double most : {0.22, 0.9}) {
     for (const std::string& family : conflictFamilies()) {
-      benchmark::RegisterBenchmark(("beyond/" + family + chance(most)).c_str(),
+      benchmark::RegisterBenchmark(joined({"beyond", family, chance(most)}).c_str(),
                                    [=](benchmark::State& state) { against(state, family, most); })
           ->Iterations(1)
           ->Unit(benchmark::kMillisecond);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "family_symmetry.h"
 #include "live_conflict.h"
 
 namespace goal_alignment::questions {
@@ -52,7 +53,7 @@ std::optional<double> ExpectedCost::of(const Family& family, std::uint64_t work)
 /// cutoff.
 double ExpectedCost::value(const Family& family, double cutoff) {
   if (isDisjoint(family)) return disjointCost(family, p_);
-  const FamilyKey key = family.key();
+  const FamilyKey key = keyUpToNames(family, p_);
   if (const auto found = known_.find(key); found != known_.end()) {
     if (found->second.exact || found->second.value >= cutoff) return found->second.value;
   }
@@ -110,7 +111,9 @@ ExpectedCost::Option ExpectedCost::optionOf(const Family& family, std::size_t ca
   option.yes = family.ifWanted(candidate);
   option.no = family.ifNotWanted(candidate);
   const std::size_t with = family.size() - option.no.size();
-  spend(16 + 3 * family.size() + with * option.no.size());
+  const std::uint64_t work = 16 + 3 * family.size() + with * option.no.size();
+  spend(has_alike_ ? 2 * work : work);  // keys take as long as all the rest
+
   const double p = p_[candidate];
   option.least_yes = p > 0 ? bound(option.yes) : 0;
   option.least_no = p < 1 ? bound(option.no) : 0;
@@ -120,7 +123,7 @@ ExpectedCost::Option ExpectedCost::optionOf(const Family& family, std::size_t ca
 
 double ExpectedCost::bound(const Family& family) const {
   if (isDisjoint(family)) return disjointCost(family, p_);
-  const auto found = known_.find(family.key());
+  const auto found = known_.find(keyUpToNames(family, p_));
   return found != known_.end() ? found->second.value : leastCost(family, p_);
 }
 

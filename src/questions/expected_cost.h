@@ -23,7 +23,7 @@ class ExpectedCost {
  public:
   /// `poll` is called every millisecond or so; what it throws ends the computation.
   explicit ExpectedCost(const Chances& p, std::function<void()> poll = {})
-      : p_(p), poll_(std::move(poll)) {}
+      : p_(p), poll_(std::move(poll)), has_alike_(p.anyAlike(~Bits{0})) {}
 
   /// Candidates that a best dialogue may ask first, or nothing where the work would be more than
   /// allowed: all that tie, except where a rule says without looking ahead that some are best. The
@@ -68,6 +68,7 @@ class ExpectedCost {
 
   Chances p_;
   std::function<void()> poll_;
+  bool has_alike_;
   std::uint64_t next_poll_ = 0;  // at this much work left
   std::unordered_map<FamilyKey, Known, Hash> known_;
   std::uint64_t work_left_ = 0;

@@ -121,9 +121,21 @@ struct Kinship {
 
 }  // namespace
 
-Chances::Chances(const std::vector<double>& rising) : size_(rising.size()) {
-  for (std::size_t f = 0; f < rising.size(); ++f)
-    of_[f] = {rising[f], 1 / rising[f], 1 / (1 - rising[f])};
+Chances::Chances(const std::vector<double>& rising) {
+  for (std::size_t f = 0; f < rising.size(); ++f) {
+    const bool alike = f > 0 && rising[f] == rising[f - 1];
+    of_[f] = {rising[f], 1 / rising[f], 1 / (1 - rising[f]), alike ? of_[f - 1].first_alike : f};
+  }
+}
+
+bool Chances::anyAlike(Bits set) const {
+  std::size_t last = kMostBits;
+  for (Bits left = set; left != 0; left = withoutFirst(left)) {
+    const std::size_t first = firstAlike(firstBit(left));
+    if (first == last && first != kMostBits) return true;
+    last = first;
+  }
+  return false;
 }
 
 bool isDisjoint(const Family& family) {

@@ -21,16 +21,19 @@ class Chances {
   /// 1/p and 1/(1−p).
   double perYes(std::size_t candidate) const { return of_[candidate].per_yes; }
   double perNo(std::size_t candidate) const { return of_[candidate].per_no; }
-  std::size_t size() const { return size_; }
+  /// The first bit with the same chance.
+  std::size_t firstAlike(std::size_t candidate) const { return of_[candidate].first_alike; }
+  /// Whether two of these have the same chance.
+  bool anyAlike(Bits set) const;
 
  private:
   struct Chance {
     double yes = 0;
     double per_yes = 0;
     double per_no = 0;
+    std::size_t first_alike = kMostBits;  // there is no such candidate
   };
   std::array<Chance, kMostBits> of_;
-  std::size_t size_ = 0;
 };
 
 /// Nothing but sets that share no candidate: then the best dialogue is known.

@@ -11,8 +11,8 @@ namespace goal_alignment::questions {
 namespace {
 
 /// From here on the doubt about the outcome guides better than P/E: on random families of 30
-/// candidates, each wanted with a chance of 0.02 to 0.22, by 4 % fewer questions; below, both ask the
-/// same number or P/E fewer (benchmark/questions_benchmark.cpp).
+/// candidates, each wanted with a chance of 0.02 to 0.22, by 4 % fewer questions; below, both ask
+/// the same number or P/E fewer (benchmark/questions_benchmark.cpp).
 constexpr double kLikely = 0.3;
 
 }  // namespace

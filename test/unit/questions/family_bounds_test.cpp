@@ -11,6 +11,7 @@
 
 #include "oracles/dialogues.h"
 #include "questions/expected_cost.h"
+#include "questions/family_symmetry.h"
 #include "questions/outcome_entropy.h"
 #include "samples.h"
 
@@ -67,6 +68,39 @@ RC_GTEST_PROP(Family, AnswersLeaveWhatAddingAnewWould, ()) {
     RC_ASSERT(sample.family.ifNotWanted(f).key() == no.key());
     RC_ASSERT(sample.family.ifWanted(f).key() == (ended ? Family() : yes).key());
   }
+}
+
+/// Up to four sets of five candidates, of which three and two are alike.
+Sample anyOfLikes(RandomSource& random) {
+  Situation situation = samples::fresh(5, {});
+  situation.probability = {0.2, 0.2, 0.2, 0.5, 0.5};
+  for (std::size_t n = oracles::between(random, 1, 4); n > 0; --n)
+    situation.conflicts.push_back(samples::conflict(5, 1 + random.below(31)));
+  return Sample(std::move(situation));
+}
+
+RC_GTEST_PROP(FamilySymmetry, WhatSharesAKeyCostsTheSame, ()) {
+  RandomSource random = oracles::anySource();
+  const Sample one = anyOfLikes(random);
+  const Sample other = anyOfLikes(random);
+  const bool same =
+      keyUpToNames(one.family, one.chances) == keyUpToNames(other.family, other.chances);
+  RC_TAG(same ? "same key" : "another key");
+  if (same) RC_ASSERT(std::abs(one.best() - other.best()) < 1e-9);
+}
+
+TEST(FamilySymmetry, NamesOfLikesDontMatterOthersDo) {
+  const Chances chances({0.1, 0.2, 0.2, 0.2, 0.2});
+  const auto key = [&](std::vector<Bits> sets) {
+    Family family;
+    for (const Bits set : sets)
+      family.add(set);
+    return keyUpToNames(family, chances);
+  };
+  EXPECT_EQ(key({0b00011, 0b00110}), key({0b10001, 0b11000}));
+  EXPECT_EQ(key({0b00110, 0b11000}), key({0b01010, 0b10100}));
+  EXPECT_FALSE(key({0b00011, 0b00110}) == key({0b00011, 0b00101}));
+  EXPECT_FALSE(key({0b00011}) == key({0b00110}));
 }
 
 RC_GTEST_PROP(FamilyBounds, LeastCostIsNeverAboveTheBest, ()) {

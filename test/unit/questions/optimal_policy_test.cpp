@@ -68,6 +68,15 @@ RC_GTEST_PROP(OptimalPolicy, TreatsSuspectedConflictsLikeOthers, ()) {
   RC_ASSERT(std::abs(proven - suspected) < 1e-9 * std::max(1.0, proven));
 }
 
+RC_GTEST_PROP(OptimalPolicy, AsksAsFewAsTheBestDialogueAmongLikes, ()) {
+  RandomSource random = oracles::anySource();
+  Situation situation = samples::anyFamily(random, 8, 12);
+  for (double& p : situation.probability)
+    p = 0.2 + 0.3 * static_cast<double>(random.below(2));
+  const double least = oracles::BestDialogue(situation).cost(situation.knowledge);
+  RC_ASSERT(std::abs(expectedQuestions(*policyOf("optimal"), situation) - least) < 1e-9);
+}
+
 // With hardly any work allowed it still asks, if not the best.
 RC_GTEST_PROP(OptimalPolicy, WithoutWorkItGuessesWell, ()) {
   RandomSource random = oracles::anySource();
