@@ -30,6 +30,9 @@ constexpr std::uint64_t kShare = 4;
 /// Steps on diagrams that take about as long as a state.
 constexpr std::uint64_t kStepsPerState = 20;
 
+/// Operators that can be looked at, to make a part, in about as long as a state takes.
+constexpr std::uint64_t kOperatorsPerState = 50;
+
 class PartialSearch {
  public:
   PartialSearch(const SearchTask& task, const heuristics::MutexTable& mutexes,
@@ -185,7 +188,8 @@ class PartialSearch {
   Result searchReady(const SearchTask& part, const task::Goal& goal) {
     const std::uint64_t share = limits_.states / kShare;
     Result result = search::greedy(part, goal, limits_.withStates(std::min(share, left_)));
-    left_ -= std::min(left_, std::max<std::uint64_t>(result.statistics.generated, 1));
+    const std::uint64_t making = 1 + whole().operators.size() / kOperatorsPerState;
+    left_ -= std::min(left_, result.statistics.generated + making);
     if (result.limit != LimitReason::States || left_ == 0) return result;
     search::Symbolic symbolic(part.task(), part.groups());
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();

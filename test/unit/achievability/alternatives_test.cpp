@@ -45,6 +45,7 @@ double probability(CandidateBits given_up, const std::vector<double>& belief) {
 std::vector<double> drawBelief(RandomSource& random, std::size_t candidates) {
   const bool tied = oracles::chance(random, 0.3);
   std::vector<double> belief;
+  belief.reserve(candidates);
   for (std::size_t f = 0; f < candidates; ++f)
     belief.push_back(tied ? 0.5 : static_cast<double>(random.below(101)) / 100);
   return belief;
@@ -52,6 +53,7 @@ std::vector<double> drawBelief(RandomSource& random, std::size_t candidates) {
 
 std::vector<CandidateBits> bits(const std::vector<CandidateSet>& sets) {
   std::vector<CandidateBits> result;
+  result.reserve(sets.size());
   for (const CandidateSet& set : sets)
     result.push_back(set.to_ulong());
   return result;

@@ -29,6 +29,7 @@ struct Posed {
 
 std::vector<Literal> literals(const std::vector<std::string>& texts) {
   std::vector<Literal> result;
+  result.reserve(texts.size());
   for (const std::string& text : texts)
     result.push_back(Literal::parse(text));
   return result;
@@ -69,19 +70,20 @@ void expectConflicts(const Posed& task, const std::set<Names>& expected) {
   }
 }
 
-std::vector<std::string> numbered(const std::string& before, int count, const std::string& after) {
-  std::vector<std::string> result;
-  for (int i = 0; i < count; ++i)
-    result.push_back(before + std::to_string(i) + after);
+std::vector<std::string> numbered(const std::string& before, std::size_t count,
+                                  const std::string& after) {
+  std::vector<std::string> result(count, before);
+  for (std::size_t i = 0; i < count; ++i)
+    result[i].append(std::to_string(i)).append(after);
   return result;
 }
 
-class Pigeonholes : public testing::TestWithParam<int> {};
+class Pigeonholes : public testing::TestWithParam<std::size_t> {};
 
 // One ring more than there are pegs: all together are one conflict, of size 3, 4, 5.
 TEST_P(Pigeonholes, AllRingsAreTheConflict) {
   RandomSource random(1);
-  const benchmarks::Models models = benchmarks::pegs(GetParam(), random);
+  const benchmarks::Models models = benchmarks::pegs(static_cast<int>(GetParam()), random);
   const auto rings = numbered("(hangs ring", GetParam() + 1, ")");
   expectConflicts(posed(models.domain.text(), models.problemText(), {}, rings),
                   {Names(rings.begin(), rings.end())});
@@ -90,7 +92,7 @@ TEST_P(Pigeonholes, AllRingsAreTheConflict) {
 // With one ring asked for, its place is gone: the others are the conflict.
 TEST_P(Pigeonholes, WhatWasAskedForTakesAPlace) {
   RandomSource random(1);
-  const benchmarks::Models models = benchmarks::pegs(GetParam(), random);
+  const benchmarks::Models models = benchmarks::pegs(static_cast<int>(GetParam()), random);
   auto rings = numbered("(hangs ring", GetParam() + 1, ")");
   const std::string asked_for = rings.back();
   rings.pop_back();
@@ -125,13 +127,13 @@ const char* const kBlocks = R"((define (domain blocks)
     :effect (and (ontable ?x) (clear ?y) (not (on ?x ?y))))))";
 
 /// a, b, … on the table.
-std::string blocksProblem(int blocks) {
+std::string blocksProblem(std::size_t blocks) {
   std::string objects;
   std::string init;
-  for (int i = 0; i < blocks; ++i) {
+  for (std::size_t i = 0; i < blocks; ++i) {
     const std::string block(1, static_cast<char>('a' + i));
-    objects += " " + block;
-    init += " (ontable " + block + ") (clear " + block + ")";
+    objects.append(" ").append(block);
+    init.append(" (ontable ").append(block).append(") (clear ").append(block).append(")");
   }
   return "(define (problem p) (:domain blocks) (:objects" + objects + ") (:init" + init +
          ") (:goal (and)))";
@@ -140,11 +142,11 @@ std::string blocksProblem(int blocks) {
 // A tower that bites its own tail, one block of it asked for: sizes 2, 3, 4 by the number of
 // blocks.
 TEST(ConflictKinds, ACycleCloses) {
-  for (int blocks = 3; blocks <= 5; ++blocks) {
-    std::vector<std::string> ring;
-    for (int i = 0; i < blocks; ++i) {
-      ring.push_back({'(', 'o', 'n', ' ', static_cast<char>('a' + i), ' ',
-                      static_cast<char>('a' + (i + 1) % blocks), ')'});
+  for (std::size_t blocks = 3; blocks <= 5; ++blocks) {
+    std::vector<std::string> ring(blocks, "(on x y)");
+    for (std::size_t i = 0; i < blocks; ++i) {
+      ring[i][4] = static_cast<char>('a' + i);
+      ring[i][6] = static_cast<char>('a' + (i + 1) % blocks);
     }
     const std::vector<std::string> others(ring.begin() + 1, ring.end());
     expectConflicts(posed(kBlocks, blocksProblem(blocks), {ring[0]}, others),

@@ -103,15 +103,15 @@ TEST(ConflictSet, CallsMinimalWhatHasPlansForAllButOne) {
   conflicts.add(proven(0b0111));
   conflicts.add(proven(0b11000));
   conflicts.add(suspected(0b101000));
-  const auto markMinimal = [&](const std::set<std::uint64_t>& achievable) {
+  const auto mark = [&](const std::set<std::uint64_t>& achievable) {
     conflicts.markMinimal(
         [&](const CandidateSet& set) { return achievable.count(set.to_ulong()) > 0; });
   };
-  markMinimal({0b011, 0b101, 0b01000, 0b10000, 0b100000});
+  mark({0b011, 0b101, 0b01000, 0b10000, 0b100000});
   EXPECT_FALSE(conflicts.all()[0].minimal);  // 0b110 is open
   EXPECT_TRUE(conflicts.all()[1].minimal);
   EXPECT_FALSE(conflicts.all()[2].minimal);
-  markMinimal({0b011, 0b101, 0b110});
+  mark({0b011, 0b101, 0b110});
   EXPECT_TRUE(conflicts.all()[0].minimal);
   EXPECT_TRUE(conflicts.all()[1].minimal);  // once shown, it stays so
 }
