@@ -27,8 +27,8 @@ constexpr std::uint64_t kLeastStates = 500;
 
 SearchBudget scaled(SearchBudget budget, std::uint64_t operators) {
   if (operators <= kOperators) return budget;
-  for (std::uint64_t* states :
-       {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy, &budget.shrinking})
+  for (std::uint64_t* states : {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy,
+                                &budget.shrinking, &budget.parts})
     *states = std::min(*states, std::max(*states * kOperators / operators, kLeastStates));
   return budget;
 }
@@ -43,22 +43,24 @@ Achievability::Achievability(grounding::GroundTask robot, const std::vector<Lite
       always_true_(candidates.size()),
       never_true_(candidates.size()),
       reached_(candidates.size()) {
-  classify(robot, specified, candidates);
-  const heuristics::MutexTable mutexes(robot.task, limits);
-  findMutexConflicts(mutexes);
-  heuristics::MutexGroups groups = heuristics::mutexGroups(robot.task, mutexes, limits);
-  task_.emplace(mutexes.withoutInapplicable(std::move(robot.task)), std::move(groups), limits);
+  LimitMonitor monitor(limits);
+  classify(robot, specified, candidates, monitor);
+  mutexes_.emplace(robot.task, limits);
+  findMutexConflicts(*mutexes_, monitor);
+  heuristics::MutexGroups groups = heuristics::mutexGroups(robot.task, *mutexes_, limits);
+  task_.emplace(mutexes_->withoutInapplicable(std::move(robot.task)), std::move(groups), limits);
 }
 
 Achievability::~Achievability() = default;
 
 void Achievability::classify(const grounding::GroundTask& robot,
                              const std::vector<Literal>& specified,
-                             const std::vector<Literal>& candidates) {
+                             const std::vector<Literal>& candidates, LimitMonitor& monitor) {
   using Kind = FactStatus::Kind;
   specified_ = robot.goal(specified);
   if (specified_.alternatives.empty()) addConflict({});
   for (std::size_t i = 0; i < candidates.size(); ++i) {
+    pollOrThrow(monitor, "looking at the candidates");
     const FactStatus status = robot.status(candidates[i]);
     if (status.kind == Kind::Variable) {
       facts_[i] = status.fact;
@@ -84,7 +86,8 @@ void Achievability::addConflict(const std::vector<std::size_t>& candidates) {
   conflicts_.add(conflict);
 }
 
-void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
+void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes,
+                                       LimitMonitor& monitor) {
   auto& alternatives = specified_.alternatives;
   const auto impossible = [&](const FactSet& facts) { return mutexes.contains(facts); };
   alternatives.erase(std::remove_if(alternatives.begin(), alternatives.end(), impossible),
@@ -94,6 +97,7 @@ void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
   std::vector<CandidateSet> possible(facts_.size(), CandidateSet(alternatives.size()));
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < facts_.size(); ++i) {
+    pollOrThrow(monitor, "looking at the candidates");
     if (facts_[i] == kNoFact) continue;
     if (mutexes.mutex(facts_[i], facts_[i])) never_true_.set(i);
     for (std::size_t k = 0; k < alternatives.size(); ++k) {
@@ -109,6 +113,7 @@ void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
   }
   for (std::size_t a = 0; a < open.size(); ++a) {
     for (std::size_t b = a + 1; b < open.size(); ++b) {
+      pollOrThrow(monitor, "looking at pairs of candidates");
       const bool mutex = mutexes.mutex(facts_[open[a]], facts_[open[b]]);
       if (mutex || !possible[open[a]].intersects(possible[open[b]]))
         addConflict({open[a], open[b]});
@@ -231,16 +236,21 @@ std::optional<Check> Achievability::searchGreedily(const CandidateSet& set, cons
                                                    Check& last) {
   ++planner_calls_;
   const search::Result result = search::greedy(*task_, goalWith(set), limits);
+  auto check = learnFrom(set, result, limits);
+  if (!check) last = {Verdict::Unknown, {}, result.limit};
+  return check;
+}
+
+/// What a search says of the set; nothing where a limit ended it.
+std::optional<Check> Achievability::learnFrom(const CandidateSet& set, const search::Result& result,
+                                              const Limits& limits) {
+  if (result.status == search::Status::LimitReached) return std::nullopt;
   if (result.status == search::Status::Solved) {
     recordPlan(result.plan);
     return Check{Verdict::Achievable, result.plan, {}};
   }
-  if (result.status == search::Status::Unsolvable) {
-    addUnachievable(set, limits);
-    return Check{Verdict::Unachievable, {}, {}};
-  }
-  last = {Verdict::Unknown, {}, result.limit};
-  return std::nullopt;
+  addUnachievable(set, limits);
+  return Check{Verdict::Unachievable, {}, {}};
 }
 
 search::Result Achievability::optimalPlan(const CandidateSet& set, const Limits& limits) {

@@ -8,6 +8,7 @@
 #include "goal_alignment/common/parallel.h"
 #include "goal_alignment/search/exhaustive.h"
 #include "goal_alignment/search/greedy.h"
+#include "partial_search.h"
 #include "subset_map.h"
 
 /// The part of Achievability that proves: the exhaustive search (stage 3), the way from an
@@ -25,6 +26,12 @@ constexpr std::size_t kMostConflicts = 10'000;
 /// Whether our own budgets ended it, rather than a person or the clock.
 bool isBudget(LimitReason reason) {
   return reason == LimitReason::States || reason == LimitReason::Memory;
+}
+
+/// Whether a person or the clock has ended the work.
+LimitReason interruption(const Limits& limits) {
+  if (limits.cancel != nullptr && limits.cancel->cancelled()) return LimitReason::Cancelled;
+  return Limits::Clock::now() >= limits.deadline ? LimitReason::Time : LimitReason::None;
 }
 
 /// Leaves out of the set what it can do without: `holds` says so of the rest. Large pieces first,
@@ -166,23 +173,35 @@ bool Achievability::staysOpen(const CandidateSet& set, const Limits& limits) {
   return isBudget(last.limit);
 }
 
+/// Looks for a proof where that may be enough.
+std::optional<Check> Achievability::searchParts(const CandidateSet& set, const Limits& limits) {
+  ++planner_calls_;
+  FactSet first;
+  for (const std::size_t candidate : members(set)) {
+    if (facts_[candidate] != kNoFact) first.push_back(facts_[candidate]);
+  }
+  const search::Result result =
+      searchInParts(*task_, *mutexes_, goalWith(set), first, limits.withStates(budget_.parts));
+  return learnFrom(set, result, limits);
+}
+
 /// The budgets left a set open: looks for what in it makes it so, and suspects that.
 Check Achievability::narrow(const CandidateSet& set, Check last, const Limits& limits) {
   // What a small budget leaves open may be no conflict, which a full search then tells. That
   // teaches something each time; but it takes its time, too.
   constexpr int kAttempts = 3;
-  CandidateSet open = set;
+  const CandidateSet all = set - always_true_;
+  CandidateSet open = all;
   for (int attempt = 0; attempt < kAttempts && isBudget(last.limit); ++attempt) {
-    open = shrunk(set - always_true_,
-                  [&](const CandidateSet& smaller) { return staysOpen(smaller, limits); });
+    open = shrunk(all, [&](const CandidateSet& smaller) { return staysOpen(smaller, limits); });
+    bool settled = searchParts(open, limits).has_value();
+    if (!settled && open != all) settled = search(open, limits).verdict != Verdict::Unknown;
     if (const auto known = recall(set)) return *known;
-    if (open == set - always_true_) break;
-    last = search(open, limits);
-    if (const auto known = recall(set)) return *known;
-    if (last.verdict == Verdict::Unknown) break;
-    open = set;
-    last = {Verdict::Unknown, {}, LimitReason::States};
+    if (!settled) break;
+    open = all;
   }
+  const LimitReason interrupted = interruption(limits);
+  if (interrupted != LimitReason::None) last.limit = interrupted;
   if (isBudget(last.limit)) suspect(open);
   return last;
 }

@@ -222,11 +222,13 @@ MutexTable::MutexTable(const task::Task& task, const Limits& limits)
 }
 
 task::Task MutexTable::withoutInapplicable(task::Task task) const {
-  std::vector<task::Operator> kept;
+  std::size_t kept = 0;
   for (OperatorId op = 0; op < task.operators.size(); ++op) {
-    if (applicable_[op]) kept.push_back(std::move(task.operators[op]));
+    if (!applicable_[op]) continue;
+    if (kept != op) task.operators[kept] = std::move(task.operators[op]);
+    ++kept;
   }
-  task.operators = std::move(kept);
+  task.operators.resize(kept);
   return task;
 }
 

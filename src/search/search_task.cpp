@@ -21,7 +21,7 @@ SearchTask::SearchTask(task::Task task, heuristics::MutexGroups groups, const Li
     : task_(std::move(task)),
       groups_(std::move(groups)),
       successors_(task_, limits),
-      packing_(task_, groups_) {}
+      packing_(task_, groups_, limits) {}
 
 SearchTask::SearchTask(task::Task task)
     : task_(std::move(task)),

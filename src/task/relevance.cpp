@@ -13,39 +13,42 @@ namespace goal_alignment::task {
 
 namespace {
 
-/// Walks from the goal's facts to the operators that add them, and on to what these need.
+/// Walks from the goal's facts to the operators that add them, and on to what these need. A delete
+/// that happens under a condition must stay avoidable: so the walk goes from the facts of that
+/// condition to the operators that delete them, too.
 class BackwardReachability {
  public:
   BackwardReachability(const Task& task, const Limits& limits)
-      : task_(task), monitor_(limits), adders_(task.facts.size()) {
+      : task_(task),
+        monitor_(limits),
+        adders_(task.facts.size()),
+        deleters_(task.facts.size()),
+        harmful_(task.facts.size(), false) {
     found_.facts.assign(task.facts.size(), false);
     found_.operators.assign(task.operators.size(), false);
     for (OperatorId op = 0; op < task.operators.size(); ++op) {
       poll();
-      for (const FactId fact : task.operators[op].add)
-        adders_[fact].push_back({op, nullptr});
-      for (const ConditionalEffect& effect : task.operators[op].conditional) {
-        for (const FactId fact : effect.add)
-          adders_[fact].push_back({op, &effect});
-      }
+      note(op, nullptr, task.operators[op].add, task.operators[op].del);
+      for (const ConditionalEffect& effect : task.operators[op].conditional)
+        note(op, &effect, effect.add, effect.del);
     }
   }
 
   Relevance from(const Goal& goal) {
     for (const FactSet& alternative : goal.alternatives)
       need(alternative);
-    while (!open_.empty()) {
-      const FactId fact = open_.back();
-      open_.pop_back();
-      for (const auto& [op, effect] : adders_[fact]) {
-        poll();
-        if (effect != nullptr) need(effect->condition);
-        if (found_.operators[op]) continue;
-        found_.operators[op] = true;
-        need(task_.operators[op].precondition);
-        // What it deletes besides must stay avoidable.
-        for (const ConditionalEffect& other : task_.operators[op].conditional) {
-          if (!other.del.empty()) need(other.condition);
+    while (!open_.empty() || !open_harmful_.empty()) {
+      if (!open_.empty()) {
+        const FactId fact = open_.back();
+        open_.pop_back();
+        use(adders_[fact]);
+      } else {
+        const FactId fact = open_harmful_.back();
+        open_harmful_.pop_back();
+        use(deleters_[fact]);
+        // What adds it must stay avoidable as well.
+        for (const Cause& cause : adders_[fact]) {
+          if (cause.effect != nullptr) avoid(cause.effect->condition);
         }
       }
     }
@@ -53,12 +56,34 @@ class BackwardReachability {
   }
 
  private:
-  struct Adder {
+  /// An operator's effect; null: what it does in any case.
+  struct Cause {
     OperatorId op;
-    const ConditionalEffect* effect;  // null: adds it in any case
+    const ConditionalEffect* effect;
   };
 
   void poll() { pollOrThrow(monitor_, "finding what matters for the goal"); }
+
+  void note(OperatorId op, const ConditionalEffect* effect, const FactSet& add,
+            const FactSet& del) {
+    for (const FactId fact : add)
+      adders_[fact].push_back({op, effect});
+    for (const FactId fact : del)
+      deleters_[fact].push_back({op, effect});
+  }
+
+  void use(const std::vector<Cause>& causes) {
+    for (const auto& [op, effect] : causes) {
+      poll();
+      if (effect != nullptr) need(effect->condition);
+      if (found_.operators[op]) continue;
+      found_.operators[op] = true;
+      need(task_.operators[op].precondition);
+      for (const ConditionalEffect& other : task_.operators[op].conditional) {
+        if (!other.del.empty()) avoid(other.condition);
+      }
+    }
+  }
 
   void need(const FactSet& facts) {
     for (const FactId fact : facts) {
@@ -67,11 +92,23 @@ class BackwardReachability {
     }
   }
 
+  /// Facts that may do harm by being true. Their being true is looked after all the same.
+  void avoid(const FactSet& facts) {
+    need(facts);
+    for (const FactId fact : facts) {
+      if (!harmful_[fact]) open_harmful_.push_back(fact);
+      harmful_[fact] = true;
+    }
+  }
+
   const Task& task_;
   LimitMonitor monitor_;
-  std::vector<std::vector<Adder>> adders_;
+  std::vector<std::vector<Cause>> adders_;
+  std::vector<std::vector<Cause>> deleters_;
+  std::vector<bool> harmful_;
   Relevance found_;
   std::vector<FactId> open_;
+  std::vector<FactId> open_harmful_;
 };
 
 constexpr FactId kDropped = static_cast<FactId>(-1);

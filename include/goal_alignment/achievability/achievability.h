@@ -47,6 +47,8 @@ struct SearchBudget {
   std::uint64_t second_greedy = 200'000;   ///< where none of this came to its end
   int threads = 1;  ///< for checks that don't depend on each other; the answers are the same
   std::uint64_t shrinking = 5'000;  ///< each time something is left out of a set that stayed open
+  std::uint64_t parts =
+      100'000;  ///< on parts of the task, to prove that a set so shrunk has no plan
   std::uint64_t open_sets = 5'000;  ///< how many sets one findAllConflicts() looks at
 };
 
@@ -125,8 +127,8 @@ class Achievability {
   static constexpr task::FactId kNoFact = static_cast<task::FactId>(-1);
 
   void classify(const grounding::GroundTask& robot, const std::vector<Literal>& specified,
-                const std::vector<Literal>& candidates);
-  void findMutexConflicts(const heuristics::MutexTable& mutexes);
+                const std::vector<Literal>& candidates, LimitMonitor& monitor);
+  void findMutexConflicts(const heuristics::MutexTable& mutexes, LimitMonitor& monitor);
   void addConflict(const std::vector<std::size_t>& candidates);
   void learn(const Conflict& conflict);
   void learnAchieved(const CandidateSet& set, task::Plan plan);
@@ -143,6 +145,9 @@ class Achievability {
   Check checkReachable(const CandidateSet& set, const Limits& limits);
   Check narrow(const CandidateSet& set, Check last, const Limits& limits);
   bool staysOpen(const CandidateSet& set, const Limits& limits);
+  std::optional<Check> learnFrom(const CandidateSet& set, const search::Result& result,
+                                 const Limits& limits);
+  std::optional<Check> searchParts(const CandidateSet& set, const Limits& limits);
   bool takeConflicts(const Limits& limits);
   std::optional<Verdict> recallAlone(std::size_t candidate) const;
   Verdict learnAlone(std::size_t candidate, const search::Result& result);
@@ -153,6 +158,7 @@ class Achievability {
   bool checkTogether(const std::vector<CandidateSet>& sets, const Limits& limits);
 
   SearchBudget budget_;
+  std::optional<heuristics::MutexTable> mutexes_;
   std::optional<search::SearchTask> task_;  // without the operators that mutexes rule out
   task::Goal specified_;                    // the specified goal, without what is always true
   std::vector<task::FactId> facts_;         // by candidate; kNoFact: always or never true

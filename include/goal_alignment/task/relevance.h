@@ -9,7 +9,8 @@
 namespace goal_alignment::task {
 
 /// What may matter for a goal, by backward reachability: the goal's facts; operators that add a
-/// fact that matters; the facts these need, those in the conditions of their effects included.
+/// fact that matters; the facts these need, those in the conditions of their effects included; and
+/// operators that delete a fact in the condition of a delete.
 struct Relevance {
   std::vector<bool> facts;
   std::vector<bool> operators;
