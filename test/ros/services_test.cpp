@@ -39,6 +39,15 @@ class Services : public Scenario {
 
   Question begin(const AlignGoal& goal) { return last_ = sendAndAwaitQuestion(goal); }
 
+  // As soon as there are candidates the first search is under way.
+  void sendAndAwaitAnalysis(const AlignGoal& goal) {
+    align_.sendGoal(goal);
+    EXPECT_TRUE(eventually([&] {
+      const AlignmentState state = currentState();
+      return state.phase == AlignmentState::ANALYSING && !state.candidates.empty();
+    }));
+  }
+
   void reply(const Question& question, int value) {
     EXPECT_TRUE(answer(value, question.question_id).accepted);
   }
@@ -200,8 +209,7 @@ TEST_F(Services, suppositionsHoldUpNoAnswerNoCancelAndNoGoal) {
 }
 
 TEST_F(Services, aSuppositionThatTakesLongIsNotKnownAndHoldsUpNoGoal) {
-  align_.sendGoal(longToAnalyse());
-  ASSERT_TRUE(eventually([&] { return !currentState().candidates.empty(); }));
+  sendAndAwaitAnalysis(longToAnalyse());
   EXPECT_TRUE(eventually([&] { return explain({}, kWhyNot).known; })) << "the search has begun";
   align_.cancelGoal();
   EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
@@ -459,12 +467,7 @@ TEST_F(Services, aFloodOfAllValuesEndsOneDialogueAndHarmsNoOther) {
 TEST_F(Services, noneWaitsForABusySolver) {
   const Parameter all("conflicts", "full");
   const AlignGoal goal = longToAnalyse();
-  align_.sendGoal(goal);
-  // As soon as there are candidates the first search is under way.
-  ASSERT_TRUE(eventually([&] {
-    const AlignmentState state = currentState();
-    return state.phase == AlignmentState::ANALYSING && !state.candidates.empty();
-  }));
+  sendAndAwaitAnalysis(goal);
   const std::string session = currentState().session_id;
   EXPECT_FALSE(explain({"(at t3 c3)"}).known) << "the search goes on";
   EXPECT_FALSE(explain({}).known);
