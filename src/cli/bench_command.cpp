@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
+#include "bench_instance.h"
+#include "bench_report.h"
+#include "bench_workers.h"
 #include "goal_alignment/cli/alignment_options.h"
 #include "goal_alignment/cli/commands.h"
-#include "goal_alignment/cli/instance.h"
+#include "goal_alignment/cli/interrupt.h"
 #include "goal_alignment/cli/json_output.h"
+#include "goal_alignment/pddl/exceptions.h"
 
 namespace goal_alignment::cli {
 
@@ -22,153 +23,75 @@ namespace {
 
 struct BenchArguments {
   std::string root;
-  std::vector<std::string> policies;
-  int runs = 10;
+  std::vector<std::string> truths;
   std::string csv;
   bool json = false;
-  AlignmentWords words;
+  BenchPlan plan;
 };
 
-/// What the runs of one policy on one instance came to.
-struct Row {
-  std::string instance;
-  std::string policy;
-  std::size_t candidates = 0;
-  std::size_t candidates_static = 0;
-  std::vector<double> questions;
-  std::vector<double> seconds;
-  std::map<std::string, int> outcomes;
-  std::string error;
-
-  static double mean(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values)
-      sum += value;
-    return values.empty() ? 0 : sum / static_cast<double>(values.size());
+/// Refuses what is wrong before the first instance.
+void check(BenchArguments& arguments) {
+  BenchPlan& plan = arguments.plan;
+  std::vector<std::string> policies;
+  for (const std::string& policy : plan.policies) {
+    AlignmentWords words = plan.words;
+    words.policy = policy;
+    session::Session(words.options());
+    if (std::find(policies.begin(), policies.end(), policy) == policies.end())
+      policies.push_back(policy);
   }
-  /// Of the sample, as the papers' tables have it.
-  static double deviation(const std::vector<double>& values) {
-    if (values.size() < 2) return 0;
-    double sum = 0;
-    for (const double value : values)
-      sum += (value - mean(values)) * (value - mean(values));
-    return std::sqrt(sum / static_cast<double>(values.size() - 1));
-  }
-  std::string outcomeText() const {
-    if (!error.empty()) return "error: " + error;
-    std::string text;
-    for (const auto& [outcome, count] : outcomes) {
-      text += (text.empty() ? "" : " ") + outcome;
-      if (outcomes.size() > 1) text += fmt::format(" x{}", count);
-    }
-    return text;
-  }
-};
-
-std::vector<std::string> instancesBelow(const std::string& root) {
-  std::vector<std::string> folders;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
-    if (entry.path().filename() == "robot_domain.pddl") {
-      folders.push_back(entry.path().parent_path().string());
-    }
-  }
-  std::sort(folders.begin(), folders.end());
-  return folders;
+  plan.policies = std::move(policies);
+  plan.truths = truthsNamed(arguments.truths);
 }
 
-void runOnce(const std::string& folder, const session::Options& options, Row& row) {
-  const InstanceFiles files = InstanceFiles::of(folder);
-  const ScriptedOracle oracle(files.true_goal);
-  session::Session session(options);
-  session.begin(readInput(files));
-  while (session.step() != session::State::Done) {
-    if (session.state() != session::State::AwaitingAnswer) continue;
-    const std::vector<Literal> fluents = session.question()->fluents;
-    for (const Literal& fluent : fluents)
-      session.answer({fluent}, oracle.answer(fluent), "true goal");
-  }
-  const session::Snapshot view = session.snapshot();
-  row.candidates = view.candidates.size();
-  row.candidates_static = static_cast<std::size_t>(
-      std::count_if(view.candidates.begin(), view.candidates.end(),
-                    [](const session::CandidateView& candidate) { return candidate.is_static; }));
-  row.questions.push_back(static_cast<double>(session.questions().size()));
-  row.seconds.push_back(session.statistics().total);
-  ++row.outcomes[session::outcomeWord(session.outcome().code)];
-}
-
-Row measure(const std::string& folder, const std::string& policy, const BenchArguments& arguments) {
-  Row row;
-  row.instance = std::filesystem::path(folder).filename().string();
-  row.policy = policy;
-  AlignmentWords words = arguments.words;
-  words.policy = policy;
-  session::Options options = words.options();
-  try {
-    for (int i = 0; i < arguments.runs; ++i, ++options.seed)
-      runOnce(folder, options, row);
-  } catch (const Exception& exception) {
-    row.error = exception.what();
-  }
-  return row;
+void requireWritable(const std::string& file) {
+  if (file.empty()) return;
+  const std::ofstream out(file, std::ios::app);
+  if (!out) throw pddl::InputError(file, {}, "can't write here");
 }
 
 Json toJson(const std::vector<Row>& rows) {
   Json list = Json::array();
-  for (const Row& row : rows) {
-    list.push_back({{"instance", row.instance},
-                    {"policy", row.policy},
-                    {"candidates", row.candidates},
-                    {"candidates_static", row.candidates_static},
-                    {"questions_mean", Row::mean(row.questions)},
-                    {"questions_std", Row::deviation(row.questions)},
-                    {"seconds_mean", Row::mean(row.seconds)},
-                    {"outcome", row.outcomeText()}});
-  }
+  for (const Row& row : rows)
+    list.push_back(toJson(row));
   return list;
 }
 
-void writeCsv(const std::vector<Row>& rows, const std::string& file) {
-  std::ofstream out(file);
-  if (!out) throw pddl::InputError(file, {}, "can't write here");
-  out << "instance,policy,candidates,candidates_static,questions_mean,questions_std,seconds_mean,"
-         "outcome\n";
-  for (const Row& row : rows) {
-    out << fmt::format("{},{},{},{},{:.4f},{:.4f},{:.6f},\"{}\"\n", row.instance, row.policy,
-                       row.candidates, row.candidates_static, Row::mean(row.questions),
-                       Row::deviation(row.questions), Row::mean(row.seconds), row.outcomeText());
-  }
+/// Shows the rows as they come, or keeps them for the end. True: it was not interrupted.
+bool measure(const BenchArguments& arguments, const std::vector<InstanceFolder>& instances,
+             BenchTable& table, std::vector<Row>& rows) {
+  const BenchPlan& plan = arguments.plan;
+  const bool mixed = arguments.json && ::isatty(STDOUT_FILENO) == 1;
+  ProgressBar bar(progressStream(!mixed),
+                  instances.size() * plan.truths.size() * plan.runsOfTruth());
+  CancelToken cancel;
+  const InterruptGuard guard(cancel);
+  measureAll(instances, plan, plan.words.threads, cancel, bar, [&](InstanceResult result) {
+    if (!result.note.empty()) std::cerr << "hagl: " << result.note << '\n';
+    if (!arguments.json) table.print(result.rows);
+    std::move(result.rows.begin(), result.rows.end(), std::back_inserter(rows));
+  });
+  return !cancel.cancelled();
 }
 
-void print(const Row& row) {
-  std::cout << fmt::format("{:<20} {:<8} {:>4}/{:<4} {:>6.1f} ± {:<5.1f} {:>9.3f} s  {}\n",
-                           row.instance, row.policy, row.candidates,
-                           row.candidates - row.candidates_static, Row::mean(row.questions),
-                           Row::deviation(row.questions), Row::mean(row.seconds), row.outcomeText())
-            << std::flush;
-}
-
-int bench(BenchArguments arguments) {
-  if (!std::filesystem::is_directory(arguments.root)) {
-    throw pddl::InputError(arguments.root, {}, "expected a folder of instance folders");
-  }
-  if (arguments.policies.empty()) arguments.policies = {"auto"};
+int bench(const BenchArguments& arguments) {
+  const std::vector<InstanceFolder> instances = instancesBelow(arguments.root);
+  requireWritable(arguments.csv);
+  std::size_t widest = 0;
+  for (const InstanceFolder& instance : instances)
+    widest = std::max(widest, instance.name.size());
+  BenchTable table(std::cout, widest);
   std::vector<Row> rows;
-  const std::vector<std::string> folders = instancesBelow(arguments.root);
-  if (folders.empty()) throw pddl::InputError(arguments.root, {}, "no instance folder in here");
-  if (!arguments.json) {
-    std::cout
-        << "instance             policy   candidates (all/without static), questions mean ± std, "
-           "thinking time, outcome\n";
+  const bool whole = measure(arguments, instances, table, rows);
+  if (arguments.json)
+    std::cout << toJson(rows).dump(2) << '\n';
+  else
+    table.printSummary(rows);
+  if (!arguments.csv.empty()) {
+    writeCsv(rows, arguments.csv);
+    writePlots(rows, arguments.csv);
   }
-  for (const std::string& folder : folders) {
-    for (const std::string& policy : arguments.policies) {
-      rows.push_back(measure(folder, policy, arguments));
-      if (!arguments.json) print(rows.back());
-    }
-  }
-  if (arguments.json) std::cout << toJson(rows).dump(2) << '\n';
-  if (!arguments.csv.empty()) writeCsv(rows, arguments.csv);
+  if (!whole) return session::exitStatus(session::OutcomeCode::Canceled);
   const bool all_ran =
       std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.error.empty(); });
   return all_ran ? 0 : session::exitStatus(session::OutcomeCode::InvalidModel);
@@ -180,18 +103,19 @@ void addBenchCommand(CLI::App& app, Run& run) {
   auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command = app.add_subcommand("bench", "align every instance below a folder");
   command->add_option("ROOT", arguments->root, "folder of instance folders")->required();
-  command->add_option("--policy", arguments->policies, "may be given several times");
-  command->add_option("--runs", arguments->runs, "runs that differ in the seed")
+  command->add_option("--policy", arguments->plan.policies, "may be repeated; auto else");
+  command->add_option("--truth", arguments->truths,
+                      "own, or the probability that a candidate is wanted; may be repeated; "
+                      "own, 0.2 and 0.5 else");
+  command->add_option("--runs", arguments->plan.runs, "runs that differ in the seed")
       ->check(CLI::PositiveNumber);
-  command->add_option("--csv", arguments->csv, "write the table here, too");
+  command->add_option("--csv", arguments->csv, "write the table here, too, and plots beside it");
   command->add_flag("--json", arguments->json);
-  arguments->words.add(*command);
+  arguments->plan.words.add(*command);
+  command->get_option("--threads")->description("instances measured side by side");
   command->callback([arguments, &run] {
-    for (const std::string& policy : arguments->policies) {
-      AlignmentWords words = arguments->words;
-      words.policy = policy;
-      words.options();  // refuse before the first instance
-    }
+    if (arguments->plan.policies.empty()) arguments->plan.policies = {"auto"};
+    check(*arguments);
     run = [arguments] { return bench(*arguments); };
   });
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <csignal>
 #include <string>
 #include <vector>
@@ -56,7 +55,13 @@ TEST(Usage, ErrorsExitWithTwo) {
       {"bench"},
       {"bench", dir + "/nowhere"},
       {"bench", dir, "--runs", "0"},
-      {"bench", dir, "--policy", "pepper"}};
+      {"bench", dir, "--policy", "pepper"},
+      {"bench", dir, "--policy", "auto", "--policy", "pepper"},
+      {"bench", dir, "--truth", "mine"},
+      {"bench", dir, "--truth", "1.5"},
+      {"bench", dir, "--threads", "0"},
+      {"bench", dir, "--beta", "-1"},
+      {"bench", dir, "--csv", dir + "/nowhere/table.csv"}};
   for (const auto& arguments : wrong) {
     const Ended ended = hagl(arguments);
     std::string line;
@@ -214,36 +219,6 @@ TEST_F(PlanCommand, ValidateNamesWhatIsWrong) {
       hagl({"validate", folder_ / "d.pddl", folder_ / "p.pddl", folder_ / "plan.txt"});
   EXPECT_EQ(ended.status, 2);
   EXPECT_NE(ended.out.find("(at Pot Table)"), std::string::npos) << ended.out;
-}
-
-TEST(Bench, AlignsEveryInstanceBelowAFolder) {
-  const Folder root;
-  writeDesk(root, "(down b)\n(held a)\n", "one/");
-  writeDesk(root, "(down b)\n(held b)\n", "two/deeper/");
-  const Ended ended = hagl({"bench", root.path(), "--policy", "auto", "--policy", "paper", "--runs",
-                            "3", "--json", "--csv", root / "table.csv"});
-  EXPECT_EQ(ended.status, 0) << ended.err;
-  const json rows = ended.json();
-  ASSERT_EQ(rows.size(), 4U);
-  EXPECT_EQ(rows[0]["instance"], "one");
-  EXPECT_EQ(rows[0]["policy"], "auto");
-  EXPECT_EQ(rows[0]["questions_mean"], 4.0);
-  EXPECT_EQ(rows[0]["outcome"], "plan_found");
-  EXPECT_EQ(rows[2]["outcome"], "no_plan");
-  const std::string csv = root.read("table.csv");
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
-  EXPECT_NE(csv.find("deeper,paper"), std::string::npos) << csv;
-}
-
-TEST(Bench, AnInstanceThatDoesNotRunIsAFailure) {
-  const Folder root;
-  writeDesk(root, "(down b)\n", "good/");
-  writeDesk(root, "(down b)\n", "bad/");
-  root.write("bad/true_goal.txt", "(down");
-  const Ended ended = hagl({"bench", root.path(), "--runs", "1"});
-  EXPECT_NE(ended.status, 0);
-  EXPECT_NE(ended.out.find("good"), std::string::npos);
-  EXPECT_NE(ended.out.find("error"), std::string::npos);
 }
 
 }  // namespace
