@@ -64,7 +64,7 @@ std::string summaryLine(const std::string& truth, const std::string& policy,
 /// A field as RFC 4180 has it.
 std::string cell(const Json& value) {
   if (!value.is_string()) return value.dump();
-  const std::string text = value.get<std::string>();
+  std::string text = value.get<std::string>();
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char letter : text)

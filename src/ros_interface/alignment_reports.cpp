@@ -17,6 +17,8 @@ void AlignmentRunner::report(GoalTicket& ticket, const session::Snapshot& now,
   }
   kept_.told_break = plan_break;
 
+  // First of all, for who sees the state may cancel at once, and then this is the result.
+  ticket.setInterim(figures(now));
   const AlignmentState state = stateMessage(now, message);
   announcer_.publish(state);
   AlignFeedback feedback;
@@ -26,7 +28,6 @@ void AlignmentRunner::report(GoalTicket& ticket, const session::Snapshot& now,
   feedback.questions_asked = state.questions_asked;
   feedback.max_remaining = state.max_remaining;
   ticket.publishFeedback(feedback);
-  ticket.setInterim(figures(now));
 }
 
 void AlignmentRunner::showToExplainer(const session::Snapshot& now) {

@@ -10,7 +10,6 @@
 namespace goal_alignment::session {
 
 using achievability::CandidateSet;
-using achievability::Conflict;
 using questions::Knowledge;
 
 namespace {
