@@ -58,6 +58,10 @@ BENCHMARK_CAPTURE(cancelAnywhere, grounding, wideAction(32), false, 1.5)
     ->UseManualTime()
     ->Iterations(30)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(cancelAnywhere, operators, wideAction(10), false, 5.0)
+    ->UseManualTime()
+    ->Iterations(30)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(cancelAnywhere, analysing, swappedTiles(5), false, 3.0)
     ->UseManualTime()
     ->Iterations(30)

@@ -5,7 +5,7 @@ find_package(benchmark REQUIRED)
 file(GLOB benchmark_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/benchmark/*.cpp)
 add_executable(goal_alignment_benchmarks EXCLUDE_FROM_ALL ${benchmark_sources})
 target_link_libraries(goal_alignment_benchmarks PRIVATE
-  goal_alignment_generators benchmark::benchmark)
+  goal_alignment_generators benchmark::benchmark nlohmann_json::nlohmann_json)
 
 add_executable(goal_alignment_measure EXCLUDE_FROM_ALL benchmark/programs/measure.cpp)
 target_link_libraries(goal_alignment_measure PRIVATE goal_alignment_measuring)

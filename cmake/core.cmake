@@ -5,6 +5,13 @@ find_package(yaml-cpp REQUIRED)
 find_package(Boost REQUIRED)
 find_package(Threads REQUIRED)
 find_package(TBB REQUIRED)
+# It brings no package configuration; Debian's library is static, with position-independent code.
+find_path(CADICAL_INCLUDE_DIR cadical.hpp)
+find_library(CADICAL_LIBRARY cadical)
+if(NOT CADICAL_INCLUDE_DIR OR NOT CADICAL_LIBRARY)
+  message(FATAL_ERROR "CaDiCaL is missing: install libcadical-dev, or build it with "
+    "./configure -fPIC && make and give CADICAL_INCLUDE_DIR and CADICAL_LIBRARY")
+endif()
 
 set(core_floors
   common pddl task validation grounding heuristics search achievability alignment questions session
@@ -26,4 +33,5 @@ target_include_directories(goal_alignment_core PUBLIC
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
 target_compile_options(goal_alignment_core PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
 target_link_libraries(goal_alignment_core PUBLIC Boost::boost Threads::Threads
-  PRIVATE fmt::fmt yaml-cpp TBB::tbb)
+  PRIVATE fmt::fmt yaml-cpp TBB::tbb ${CADICAL_LIBRARY})
+target_include_directories(goal_alignment_core SYSTEM PRIVATE ${CADICAL_INCLUDE_DIR})

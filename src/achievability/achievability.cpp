@@ -5,11 +5,13 @@
 #include <unordered_map>
 #include <utility>
 
+#include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/common/parallel.h"
 #include "goal_alignment/heuristics/mutex_groups.h"
 #include "goal_alignment/search/astar.h"
 #include "goal_alignment/search/greedy.h"
 #include "goal_alignment/task/state.h"
+#include "subset_map.h"
 
 namespace goal_alignment::achievability {
 
@@ -25,37 +27,40 @@ constexpr std::uint64_t kLeastStates = 500;
 
 SearchBudget scaled(SearchBudget budget, std::uint64_t operators) {
   if (operators <= kOperators) return budget;
-  for (std::uint64_t* states : {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy})
+  for (std::uint64_t* states : {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy,
+                                &budget.shrinking, &budget.parts})
     *states = std::min(*states, std::max(*states * kOperators / operators, kLeastStates));
   return budget;
 }
 
 }  // namespace
 
-Achievability::Achievability(const grounding::GroundTask& robot,
-                             const std::vector<Literal>& specified,
+Achievability::Achievability(grounding::GroundTask robot, const std::vector<Literal>& specified,
                              const std::vector<Literal>& candidates, const SearchBudget& budget,
                              const Limits& limits)
     : budget_(scaled(budget, robot.task.operators.size())),
       facts_(candidates.size(), kNoFact),
       always_true_(candidates.size()),
       never_true_(candidates.size()),
-      reached_(candidates.size()),
-      conflicts_(candidates.size()) {
-  classify(robot, specified, candidates);
-  const heuristics::MutexTable mutexes(robot.task, limits);
-  findMutexConflicts(mutexes);
-  task_.emplace(mutexes.withoutInapplicable(robot.task),
-                heuristics::mutexGroups(robot.task, mutexes, limits));
+      reached_(candidates.size()) {
+  LimitMonitor monitor(limits);
+  classify(robot, specified, candidates, monitor);
+  mutexes_.emplace(robot.task, limits);
+  findMutexConflicts(*mutexes_, monitor);
+  heuristics::MutexGroups groups = heuristics::mutexGroups(robot.task, *mutexes_, limits);
+  task_.emplace(mutexes_->withoutInapplicable(std::move(robot.task)), std::move(groups), limits);
 }
+
+Achievability::~Achievability() = default;
 
 void Achievability::classify(const grounding::GroundTask& robot,
                              const std::vector<Literal>& specified,
-                             const std::vector<Literal>& candidates) {
+                             const std::vector<Literal>& candidates, LimitMonitor& monitor) {
   using Kind = FactStatus::Kind;
   specified_ = robot.goal(specified);
   if (specified_.alternatives.empty()) addConflict({});
   for (std::size_t i = 0; i < candidates.size(); ++i) {
+    pollOrThrow(monitor, "looking at the candidates");
     const FactStatus status = robot.status(candidates[i]);
     if (status.kind == Kind::Variable) {
       facts_[i] = status.fact;
@@ -81,7 +86,8 @@ void Achievability::addConflict(const std::vector<std::size_t>& candidates) {
   conflicts_.add(conflict);
 }
 
-void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
+void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes,
+                                       LimitMonitor& monitor) {
   auto& alternatives = specified_.alternatives;
   const auto impossible = [&](const FactSet& facts) { return mutexes.contains(facts); };
   alternatives.erase(std::remove_if(alternatives.begin(), alternatives.end(), impossible),
@@ -91,6 +97,7 @@ void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
   std::vector<CandidateSet> possible(facts_.size(), CandidateSet(alternatives.size()));
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < facts_.size(); ++i) {
+    pollOrThrow(monitor, "looking at the candidates");
     if (facts_[i] == kNoFact) continue;
     if (mutexes.mutex(facts_[i], facts_[i])) never_true_.set(i);
     for (std::size_t k = 0; k < alternatives.size(); ++k) {
@@ -106,6 +113,7 @@ void Achievability::findMutexConflicts(const heuristics::MutexTable& mutexes) {
   }
   for (std::size_t a = 0; a < open.size(); ++a) {
     for (std::size_t b = a + 1; b < open.size(); ++b) {
+      pollOrThrow(monitor, "looking at pairs of candidates");
       const bool mutex = mutexes.mutex(facts_[open[a]], facts_[open[b]]);
       if (mutex || !possible[open[a]].intersects(possible[open[b]]))
         addConflict({open[a], open[b]});
@@ -129,6 +137,18 @@ task::Goal Achievability::goalWith(const CandidateSet& set) const {
   return task::withFacts(specified_, facts);
 }
 
+void Achievability::learn(const Conflict& conflict) {
+  if (conflicts_.add(conflict) && map_) map_->blockUp(conflict.members);
+}
+
+void Achievability::learnAchieved(const CandidateSet& set, task::Plan plan) {
+  if (achieved_.covering(set) != nullptr) return;
+  achieved_.add(set, std::move(plan));
+  if (conflicts_.clearSuspectedWithin(set)) map_.reset();  // it can't take back what it was told
+  if (map_) map_->blockDown(set);
+  if (set.all()) complete_ = true;
+}
+
 void Achievability::recordPlan(const task::Plan& plan) {
   // A specified literal that is never true is no fact, so no state shows that it is missing.
   const bool goal_possible = conflicts_.provenWithin(CandidateSet(facts_.size())) == nullptr;
@@ -137,8 +157,7 @@ void Achievability::recordPlan(const task::Plan& plan) {
     const CandidateSet now = satisfied(state.data());
     reached_ |= now;
     if (goal_possible && task::satisfies(state.data(), specified_)) {
-      achieved_.add(now, {plan.begin(), plan.begin() + static_cast<std::ptrdiff_t>(step)});
-      conflicts_.clearSuspectedWithin(now);
+      learnAchieved(now, {plan.begin(), plan.begin() + static_cast<std::ptrdiff_t>(step)});
     }
     if (step == plan.size()) break;
     const task::State before = state;
@@ -146,11 +165,13 @@ void Achievability::recordPlan(const task::Plan& plan) {
   }
 }
 
-void Achievability::recordExecution(const std::vector<GroundName>& actions) {
+void Achievability::recordExecution(const std::vector<GroundName>& actions, const Limits& limits) {
+  LimitMonitor monitor(limits);
   std::unordered_map<GroundName, std::vector<task::OperatorId>> ids;
   for (const GroundName& action : actions)
     ids[action];
   for (task::OperatorId op = 0; op < task().operators.size(); ++op) {
+    pollOrThrow(monitor, "following the human's plan");
     const auto found = ids.find(task().operators[op].name);
     if (found != ids.end()) found->second.push_back(op);
   }
@@ -179,6 +200,14 @@ std::optional<Check> Achievability::recall(const CandidateSet& set) const {
 
 Check Achievability::check(const CandidateSet& set, const Limits& limits) {
   if (const auto known = recall(set)) return *known;
+  Check result = search(set, limits);
+  if (result.verdict == Verdict::Unknown) result = narrow(set, std::move(result), limits);
+  if (result.verdict == Verdict::Unknown) last_limit_ = result.limit;
+  return result;
+}
+
+/// The way from searches to sweeps and back.
+Check Achievability::search(const CandidateSet& set, const Limits& limits) {
   Check last;
   if (!swept_) {
     if (const auto found = searchGreedily(set, limits.withStates(budget_.first_greedy), last)) {
@@ -200,7 +229,6 @@ Check Achievability::check(const CandidateSet& set, const Limits& limits) {
   if (last.limit == LimitReason::States && sweep_limit_ == LimitReason::Memory) {
     last.limit = LimitReason::Memory;
   }
-  last_limit_ = last.limit;
   return last;
 }
 
@@ -208,16 +236,21 @@ std::optional<Check> Achievability::searchGreedily(const CandidateSet& set, cons
                                                    Check& last) {
   ++planner_calls_;
   const search::Result result = search::greedy(*task_, goalWith(set), limits);
+  auto check = learnFrom(set, result, limits);
+  if (!check) last = {Verdict::Unknown, {}, result.limit};
+  return check;
+}
+
+/// What a search says of the set; nothing where a limit ended it.
+std::optional<Check> Achievability::learnFrom(const CandidateSet& set, const search::Result& result,
+                                              const Limits& limits) {
+  if (result.status == search::Status::LimitReached) return std::nullopt;
   if (result.status == search::Status::Solved) {
     recordPlan(result.plan);
     return Check{Verdict::Achievable, result.plan, {}};
   }
-  if (result.status == search::Status::Unsolvable) {
-    addUnachievable(set, limits);
-    return Check{Verdict::Unachievable, {}, {}};
-  }
-  last = {Verdict::Unknown, {}, result.limit};
-  return std::nullopt;
+  addUnachievable(set, limits);
+  return Check{Verdict::Unachievable, {}, {}};
 }
 
 search::Result Achievability::optimalPlan(const CandidateSet& set, const Limits& limits) {

@@ -8,6 +8,8 @@
 #include "goal_alignment/common/parallel.h"
 #include "goal_alignment/search/exhaustive.h"
 #include "goal_alignment/search/greedy.h"
+#include "partial_search.h"
+#include "subset_map.h"
 
 /// The part of Achievability that proves: the exhaustive search (stage 3), the way from an
 /// unachievable set to a minimal conflict, and the enumeration of all conflicts.
@@ -18,22 +20,47 @@ using task::FactSet;
 
 namespace {
 
-/// Beyond so many maximal sets left to confirm, "complete" would take too long to establish.
-constexpr std::size_t kMostHittingSets = 5000;
-/// Nor can so many conflicts be looked at one by one.
+/// More conflicts than can be looked at one by one.
 constexpr std::size_t kMostConflicts = 10'000;
+
+/// Whether our own budgets ended it, rather than a person or the clock.
+bool isBudget(LimitReason reason) {
+  return reason == LimitReason::States || reason == LimitReason::Memory;
+}
+
+/// Whether a person or the clock has ended the work.
+LimitReason interruption(const Limits& limits) {
+  if (limits.cancel != nullptr && limits.cancel->cancelled()) return LimitReason::Cancelled;
+  return Limits::Clock::now() >= limits.deadline ? LimitReason::Time : LimitReason::None;
+}
+
+/// Leaves out of the set what it can do without: `holds` says so of the rest. Large pieces first,
+/// then smaller ones, and in the end one by one, so that the result is minimal where `holds` is
+/// monotone. O(result · log set) calls that say no, O(log set) that say yes where the result is
+/// small.
+template <typename Holds>
+CandidateSet shrunk(CandidateSet set, Holds&& holds) {
+  std::size_t piece = std::max<std::size_t>(set.count() / 2, 1);
+  for (;; piece /= 2) {
+    const std::vector<std::size_t> all = members(set);
+    for (std::size_t begin = 0; begin < all.size(); begin += piece) {
+      CandidateSet rest = set;
+      for (std::size_t i = begin; i < std::min(begin + piece, all.size()); ++i)
+        rest.reset(all[i]);
+      if (holds(rest)) set = std::move(rest);
+    }
+    if (piece <= 1) return set;
+  }
+}
 
 }  // namespace
 
 /// Stage 3: all reachable states, after which every check is answered without a search. None: that
 /// worked out.
 LimitReason Achievability::sweep(const Limits& limits) {
-  const auto is_final = [](LimitReason reason) {
-    return reason != LimitReason::States && reason != LimitReason::Memory;
-  };
   sweep_limit_ = sweepSymbolically(budget_.first_symbolic, limits);
-  if (!is_final(sweep_limit_)) sweep_limit_ = exhaust(limits);
-  if (!is_final(sweep_limit_)) sweep_limit_ = sweepSymbolically(budget_.symbolic, limits);
+  if (isBudget(sweep_limit_)) sweep_limit_ = exhaust(limits);
+  if (isBudget(sweep_limit_)) sweep_limit_ = sweepSymbolically(budget_.symbolic, limits);
   // What a person or the clock broke off must end now, and may be tried anew; states and bytes
   // would end it again.
   swept_ = sweep_limit_ != LimitReason::Cancelled && sweep_limit_ != LimitReason::Time;
@@ -66,7 +93,6 @@ Check Achievability::checkReachable(const CandidateSet& set, const Limits& limit
       return {Verdict::Achievable, *plan, {}};
     }
   }
-  last_limit_ = last.limit;
   return last;
 }
 
@@ -96,8 +122,10 @@ LimitReason Achievability::exhaust(const Limits& limits) {
   for (const auto& [set, id] : maximal) {
     achieved.push_back({set, exhaustive.plan(id)});
     conflicts_.clearSuspectedWithin(set);
+    if (set.all()) complete_ = true;
   }
   achieved_.addMaximal(std::move(achieved));
+  map_.reset();
   exhaustive_complete_ = reason == LimitReason::None;
   return reason;
 }
@@ -115,41 +143,78 @@ bool Achievability::provenUnachievable(const CandidateSet& set, const Limits& li
   return result.status == search::Status::Unsolvable;
 }
 
-/// Shrinks a set proven unachievable to a conflict by leaving out one candidate after the other
-/// (deletion-based, as for minimal unsatisfiable subsets) and adds it.
+/// Shrinks a set proven unachievable to a conflict and adds it. Minimal only where plans show it:
+/// what is left in may just not have been proven superfluous.
 void Achievability::addUnachievable(const CandidateSet& set, const Limits& limits) {
   Conflict conflict;
-  conflict.members = set - always_true_;
+  conflict.members = shrunk(set - always_true_, [&](const CandidateSet& smaller) {
+    return provenUnachievable(smaller, limits);
+  });
   conflict.minimal = true;
   for (const std::size_t candidate : members(conflict.members)) {
-    conflict.members.reset(candidate);
-    if (provenUnachievable(conflict.members, limits)) continue;
-    conflict.members.set(candidate);
-    // Left in because it was not proven superfluous: minimal only if that was shown by a plan.
     CandidateSet without = conflict.members;
     without.reset(candidate);
     conflict.minimal =
         conflict.minimal && (knowsReachable() || achieved_.covering(without) != nullptr);
   }
-  conflicts_.add(conflict);
+  learn(conflict);
 }
 
 void Achievability::suspect(const CandidateSet& set) {
-  conflicts_.add({set - always_true_, false, false});
+  learn({set - always_true_, false, false});
 }
 
-/// The first few maximal sets without a known conflict that are not known to be achievable.
-std::vector<CandidateSet> Achievability::nextOpenSets(std::size_t most, bool& too_many) {
-  std::vector<CandidateSet> open;
-  const auto* hitting_sets = conflicts_.minimalHittingSets(kMostHittingSets);
-  too_many = hitting_sets == nullptr;
-  if (too_many) return open;
-  for (const CandidateSet& hitting : *hitting_sets) {
-    CandidateSet rest = ~hitting;
-    if (achieved_.covering(rest) == nullptr) open.push_back(std::move(rest));
-    if (open.size() == most) break;
+/// Whether a small budget finds no plan for a part of a set that is open.
+bool Achievability::staysOpen(const CandidateSet& set, const Limits& limits) {
+  if (const auto known = recall(set)) return known->verdict == Verdict::Unachievable;
+  Check last;
+  const auto found = searchGreedily(set, limits.withStates(budget_.shrinking), last);
+  if (found) return found->verdict == Verdict::Unachievable;
+  return isBudget(last.limit);
+}
+
+/// Looks for a proof where that may be enough.
+std::optional<Check> Achievability::searchParts(const CandidateSet& set, const Limits& limits) {
+  ++planner_calls_;
+  FactSet first;
+  for (const std::size_t candidate : members(set)) {
+    if (facts_[candidate] != kNoFact) first.push_back(facts_[candidate]);
   }
-  return open;
+  const search::Result result =
+      searchInParts(*task_, *mutexes_, goalWith(set), first, limits.withStates(budget_.parts));
+  return learnFrom(set, result, limits);
+}
+
+/// The budgets left a set open: looks for what in it makes it so, and suspects that.
+Check Achievability::narrow(const CandidateSet& set, Check last, const Limits& limits) {
+  // What a small budget leaves open may be no conflict, which a full search then tells. That
+  // teaches something each time; but it takes its time, too.
+  constexpr int kAttempts = 3;
+  const CandidateSet all = set - always_true_;
+  CandidateSet open = all;
+  for (int attempt = 0; attempt < kAttempts && isBudget(last.limit); ++attempt) {
+    open = shrunk(all, [&](const CandidateSet& smaller) { return staysOpen(smaller, limits); });
+    bool settled = searchParts(open, limits).has_value();
+    if (!settled && open != all) settled = search(open, limits).verdict != Verdict::Unknown;
+    if (const auto known = recall(set)) return *known;
+    if (!settled) break;
+    open = all;
+  }
+  const LimitReason interrupted = interruption(limits);
+  if (interrupted != LimitReason::None) last.limit = interrupted;
+  if (isBudget(last.limit)) suspect(open);
+  return last;
+}
+
+/// Made when it is needed first, since a dialogue may do without.
+SubsetMap& Achievability::map() {
+  if (map_) return *map_;
+  map_ = std::make_unique<SubsetMap>(facts_.size());
+  for (const Conflict& conflict : conflicts_.all())
+    map_->blockUp(conflict.members);
+  for (const AchievedSets::Achieved& achieved : achieved_.all())
+    map_->blockDown(achieved.set);
+  return *map_;
 }
 
 /// Looks for plans for several sets side by side; true when all have one.
@@ -180,39 +245,51 @@ bool Achievability::takeConflicts(const Limits& limits) {
       specified_, task::makeFactSet(std::move(facts)), kMostConflicts, limits);
   if (!found.all) return false;
   conflicts_.clearSuspectedWithin(~CandidateSet(facts_.size()));
+  map_.reset();
   for (const FactSet& set : found.sets) {
     Conflict conflict;
     conflict.members.resize(facts_.size());
     for (const FactId fact : set)
       conflict.members.set(candidate_of.at(fact));
-    conflicts_.add(conflict);
+    conflict.minimal = true;
+    learn(conflict);
   }
   return true;
 }
 
-bool Achievability::findAllConflicts(const Limits& limits) {
-  bool too_many = false;
+/// Looks at unexplored sets until none is left, which is what true says.
+bool Achievability::explore(const Limits& limits) {
   // Many sets at a time as long as all of them have plans; one whose plan is not found at once may
   // bring a conflict to light that settles others, too.
   std::size_t together = 1;
-  while (!complete_) {
-    if (knowsReachable() && takeConflicts(limits)) break;
-    const std::vector<CandidateSet> open = nextOpenSets(together, too_many);
-    if (open.empty()) break;
-    if (open.size() > 1) {
-      together = checkTogether(open, limits) ? kBatch : 1;
+  bool taken = false;
+  for (std::uint64_t looked_at = 0; !complete_ && looked_at < budget_.open_sets;) {
+    if (knowsReachable() && !std::exchange(taken, true) && takeConflicts(limits)) return true;
+    const SubsetMap::Unexplored open = map().maximal(together, limits);
+    if (open.limit != LimitReason::None) last_limit_ = open.limit;
+    if (open.limit != LimitReason::None) return false;
+    if (open.sets.empty()) return true;
+    looked_at += open.sets.size();
+    if (open.sets.size() > 1) {
+      together = checkTogether(open.sets, limits) ? kBatch : 1;
       continue;
     }
-    const Check result = check(open.front(), limits);
+    const Check result = check(open.sets.front(), limits);
     if (result.verdict == Verdict::Achievable) together = kBatch;
-    if (result.verdict != Verdict::Unknown) continue;
-    if (result.limit == LimitReason::Cancelled || result.limit == LimitReason::Time) return false;
-    suspect(open.front());
+    if (result.verdict == Verdict::Unknown && !isBudget(result.limit)) return false;
   }
+  return complete_;
+}
+
+bool Achievability::findAllConflicts(const Limits& limits) {
+  if (complete_) return true;
+  const bool explored = explore(limits);
   const bool all_proven = std::all_of(conflicts().begin(), conflicts().end(),
                                       [](const Conflict& conflict) { return conflict.proven; });
-  complete_ = !too_many && all_proven;
-  if (complete_) conflicts_.markMinimal();
+  complete_ = explored && all_proven;
+  conflicts_.markMinimal([&](const CandidateSet& smaller) {
+    return complete_ || achieved_.covering(smaller) != nullptr;
+  });
   return complete_;
 }
 

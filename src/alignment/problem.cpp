@@ -66,9 +66,12 @@ void addCandidate(Problem& problem, Literal fluent) {
   problem.candidates.push_back({std::move(fluent), is_static});
 }
 
-void sortCandidates(Problem& problem) {
+void sortCandidates(Problem& problem, LimitMonitor& monitor) {
   std::sort(problem.candidates.begin(), problem.candidates.end(),
-            [](const Candidate& a, const Candidate& b) { return a.fluent < b.fluent; });
+            [&](const Candidate& a, const Candidate& b) {
+              pollOrThrow(monitor, "finding what the person expects");
+              return a.fluent < b.fluent;
+            });
 }
 
 void findCandidates(Problem& problem, const Limits& limits) {
@@ -77,7 +80,7 @@ void findCandidates(Problem& problem, const Limits& limits) {
     pollOrThrow(monitor, "finding what the person expects");
     addCandidate(problem, {problem.human.name(atom), false});
   }
-  sortCandidates(problem);
+  sortCandidates(problem, monitor);
 }
 
 }  // namespace
@@ -110,7 +113,7 @@ Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Lite
   if (problem.expectation.violation) throw HumanPlanInvalid(*problem.expectation.violation);
   const validation::AtomSet& expected = problem.expectation.finalState();
   const std::vector<Literal> missing =
-      validation::unsatisfied(problem.human, expected, problem.specified);
+      validation::unsatisfied(problem.human, expected, problem.specified, limits);
   const bool condition = validation::satisfiesCondition(problem.human, expected, limits);
   if (!missing.empty() || !condition) {
     throw GoalNotExpected(missing, condition ? "" : problem.condition, problem.human_plan.empty());
@@ -126,12 +129,12 @@ void addNegativeCandidates(Problem& problem, const Limits& limits) {
   for (const pddl::Atom& atom : problem.expectation.finalState())
     expected.insert(problem.human.name(atom));
   LimitMonitor monitor(limits);
-  for (const pddl::Atom& atom : reachable.atoms) {
+  for (const pddl::AtomView& atom : reachable.atoms) {
     pollOrThrow(monitor, "finding side effects");
     GroundName name = problem.robot.name(atom);
     if (expected.count(name) == 0) addCandidate(problem, {std::move(name), true});
   }
-  sortCandidates(problem);
+  sortCandidates(problem, monitor);
 }
 
 }  // namespace goal_alignment::alignment

@@ -2,6 +2,7 @@
 #include "goal_alignment/alignment/robot_side.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "goal_alignment/grounding/grounder.h"
@@ -16,16 +17,16 @@ RobotSide makeRobotSide(const Problem& problem, bool unit_costs,
     fluents.push_back(candidate.fluent);
   std::vector<Literal> goals = problem.specified;
   goals.insert(goals.end(), fluents.begin(), fluents.end());
-  const grounding::GroundTask task = grounding::ground(problem.robot, goals, {unit_costs}, limits);
+  grounding::GroundTask task = grounding::ground(problem.robot, goals, {unit_costs}, limits);
 
   RobotSide side;
-  side.achievability = std::make_unique<achievability::Achievability>(task, problem.specified,
-                                                                      fluents, budget, limits);
+  side.achievability = std::make_unique<achievability::Achievability>(
+      std::move(task), problem.specified, fluents, budget, limits);
   const validation::Execution execution =
       validation::execute(problem.robot, problem.human_plan, limits);
   const auto steps_run = static_cast<std::ptrdiff_t>(execution.stepsRun());
   side.achievability->recordExecution(
-      {problem.human_plan.begin(), problem.human_plan.begin() + steps_run});
+      {problem.human_plan.begin(), problem.human_plan.begin() + steps_run}, limits);
   side.human_plan_runs = !execution.violation;
   if (execution.violation) side.human_plan_violation = execution.violation->message;
   return side;

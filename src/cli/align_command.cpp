@@ -175,7 +175,8 @@ void addAlignCommand(CLI::App& app, Run& run) {
   command->add_flag("--interactive", arguments->interactive, "you answer")->excludes(true_goal);
   command->add_option("--phrases", arguments->phrases,
                       "YAML templates in which questions are put; DIR's phrases.yaml else");
-  command->add_option("--policy", arguments->words.policy, "auto, paper or ask-all");
+  command->add_option("--policy", arguments->words.policy,
+                      "auto, optimal, ratio, paper or ask-all");
   arguments->words.add(*command);
   command->add_flag("--json", arguments->json);
   command->callback([arguments, &run] {

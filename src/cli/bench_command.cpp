@@ -36,7 +36,7 @@ void check(BenchArguments& arguments) {
   for (const std::string& policy : plan.policies) {
     AlignmentWords words = plan.words;
     words.policy = policy;
-    const session::Session accepted(words.options());
+    const session::Session refuses_what_is_wrong(words.options());
     if (std::find(policies.begin(), policies.end(), policy) == policies.end())
       policies.push_back(policy);
   }

@@ -50,7 +50,9 @@ int findConflicts(const ConflictsArguments& arguments) {
   const alignment::Problem problem = alignment::makeProblem(
       pddl::readModel(input.robot_domain, input.robot_problem),
       pddl::readModel(input.human_domain, input.human_problem), {}, std::move(input.human_plan));
-  const alignment::RobotSide robot = alignment::makeRobotSide(problem, true, {}, limits);
+  achievability::SearchBudget budget;
+  budget.open_sets = std::numeric_limits<std::uint64_t>::max();  // all are what is asked for
+  const alignment::RobotSide robot = alignment::makeRobotSide(problem, true, budget, limits);
   const bool complete = robot.achievability->findAllConflicts(limits);
   const Json json = toJson(problem, *robot.achievability);
   if (arguments.json) {

@@ -14,7 +14,7 @@ constexpr std::size_t kMostPositions = 64;
 constexpr std::size_t kMostIndices = 16;
 
 /// The arguments at the positions, as an atom's.
-void project(const pddl::Atom& atom, std::uint64_t positions, pddl::Atom& key) {
+void project(const pddl::AtomView& atom, std::uint64_t positions, pddl::Atom& key) {
   key.objects.clear();
   for (std::size_t i = 0; i < std::min(atom.objects.size(), kMostPositions); ++i) {
     if (((positions >> i) & 1U) != 0) key.objects.push_back(atom.objects[i]);

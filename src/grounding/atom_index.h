@@ -20,7 +20,7 @@ constexpr pddl::ObjectId kUnbound = -1;
 class AtomIndex {
  public:
   /// `atoms` may grow; what is not inserted is not seen. Must outlive the index.
-  AtomIndex(const std::vector<pddl::Atom>& atoms, std::size_t predicates, const Limits& limits)
+  AtomIndex(const pddl::AtomTable& atoms, std::size_t predicates, const Limits& limits)
       : atoms_(atoms), monitor_(limits), all_(predicates), by_positions_(predicates) {}
 
   void insert(AtomId id);
@@ -51,7 +51,7 @@ class AtomIndex {
   ByPositions* indexOver(std::size_t predicate, Positions positions);
   void enter(ByPositions& index, AtomId id);
 
-  const std::vector<pddl::Atom>& atoms_;
+  const pddl::AtomTable& atoms_;
   LimitMonitor monitor_;
   std::vector<std::vector<AtomId>> all_;
   std::vector<std::vector<std::unique_ptr<ByPositions>>> by_positions_;

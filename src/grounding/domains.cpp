@@ -22,7 +22,7 @@ const std::shared_ptr<const Domain>& Domains::ofType(pddl::TypeId type) {
   return known = std::make_shared<const Domain>(std::move(objects));
 }
 
-bool Domains::matches(const pddl::LiftedAtom& lifted, const pddl::Atom& atom) const {
+bool Domains::matches(const pddl::LiftedAtom& lifted, const pddl::AtomView& atom) const {
   for (std::size_t i = 0; i < lifted.terms.size(); ++i) {
     const pddl::Term& term = lifted.terms[i];
     const auto object = static_cast<std::size_t>(atom.objects[i]);
@@ -41,7 +41,7 @@ bool Domains::narrow(const pddl::LiftedAtom& lifted) {
   }
   for (const AtomId id : index_.all(lifted.predicate)) {
     pollLimits();
-    const pddl::Atom& atom = atoms_[id];
+    const pddl::AtomView atom = atoms_[id];
     if (!matches(lifted, atom)) continue;
     for (std::size_t i = 0; i < lifted.terms.size(); ++i) {
       const pddl::Term& term = lifted.terms[i];

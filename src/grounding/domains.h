@@ -21,7 +21,7 @@ using Domain = std::vector<bool>;
 class Domains {
  public:
   /// `atoms` and `index` hold the static atoms, all of them.
-  Domains(const pddl::Model& model, const std::vector<pddl::Atom>& atoms, const AtomIndex& index,
+  Domains(const pddl::Model& model, const pddl::AtomTable& atoms, const AtomIndex& index,
           const Limits& limits)
       : model_(model), atoms_(atoms), index_(index), monitor_(limits) {}
 
@@ -33,11 +33,11 @@ class Domains {
  private:
   const std::shared_ptr<const Domain>& ofType(pddl::TypeId type);
   bool narrow(const pddl::LiftedAtom& lifted);
-  bool matches(const pddl::LiftedAtom& lifted, const pddl::Atom& atom) const;
+  bool matches(const pddl::LiftedAtom& lifted, const pddl::AtomView& atom) const;
   void pollLimits();
 
   const pddl::Model& model_;
-  const std::vector<pddl::Atom>& atoms_;
+  const pddl::AtomTable& atoms_;
   const AtomIndex& index_;
   LimitMonitor monitor_;
   std::unordered_map<pddl::TypeId, std::shared_ptr<const Domain>> of_type_;

@@ -15,6 +15,7 @@ FactTable::FactTable(const pddl::Model& model, const RelaxedReachability& reache
       fact_(reached.atoms.size(), kNoFact),
       complement_(reached.atoms.size(), kNoFact) {
   LimitMonitor monitor(limits);
+  facts_.reserve(fact_.size());  // growing, it would move ever more names in one go
   for (AtomId id = 0; id < fact_.size(); ++id) {
     pollOrThrow(monitor, "grounding");
     if (changes[id]) fact_[id] = add(id, false);
@@ -31,8 +32,7 @@ FactId FactTable::add(AtomId id, bool negated) {
 }
 
 AtomId FactTable::find(const pddl::Atom& atom) const {
-  const auto found = reached_.ids.find(atom);
-  return found == reached_.ids.end() ? kUnreached : found->second;
+  return reached_.atoms.find(atom);
 }
 
 Decided FactTable::decide(const pddl::Atom& atom, bool negated) {

@@ -12,7 +12,7 @@
 namespace goal_alignment::grounding {
 
 constexpr task::FactId kNoFact = static_cast<task::FactId>(-1);
-constexpr AtomId kUnreached = static_cast<AtomId>(-1);
+constexpr AtomId kUnreached = pddl::AtomTable::kNone;
 
 /// A literal, as far as it is decided for ever.
 struct Decided {

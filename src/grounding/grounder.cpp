@@ -50,7 +50,7 @@ class TaskBuilder {
     changes_.assign(reached_.atoms.size(), true);
     std::fill_n(changes_.begin(), reached_.initial_count, false);
     std::vector<pddl::ObjectId> binding;
-    std::vector<pddl::Atom> added;
+    std::vector<AtomId> added;
     for (const Instantiation& instantiation : reached_.instantiations) {
       pollLimits();
       const Rule& rule = reached_.rules[instantiation.rule];
@@ -62,13 +62,11 @@ class TaskBuilder {
       bind(rule, instantiation.arguments, binding);
       added.clear();
       for (const pddl::LiftedAtom& atom : schema.add)
-        added.push_back(groundAtom(atom, binding));
+        added.push_back(reached_.atoms.find(groundAtom(atom, binding)));
       for (const pddl::LiftedAtom& lifted : deleted) {
-        const pddl::Atom atom = groundAtom(lifted, binding);
-        const auto found = reached_.ids.find(atom);
-        if (found == reached_.ids.end()) continue;
-        if (std::find(added.begin(), added.end(), atom) == added.end())
-          changes_[found->second] = true;
+        const AtomId atom = reached_.atoms.find(groundAtom(lifted, binding));
+        if (atom == pddl::AtomTable::kNone) continue;
+        if (std::find(added.begin(), added.end(), atom) == added.end()) changes_[atom] = true;
       }
     }
   }
@@ -90,7 +88,7 @@ class TaskBuilder {
   void nameAtoms(const FactTable& facts) {
     using Kind = FactStatus::Kind;
     result_.model_ = &model_;
-    result_.atoms_.reserve(reached_.atoms.size());
+    result_.statuses_.reserve(reached_.atoms.size());
     for (AtomId id = 0; id < reached_.atoms.size(); ++id) {
       pollLimits();
       GroundTask::AtomStatus status;
@@ -102,8 +100,9 @@ class TaskBuilder {
         status.positive = {Kind::AlwaysTrue, 0};
         status.negative = {Kind::NeverTrue, 0};
       }
-      result_.atoms_.emplace(std::move(reached_.atoms[id]), status);
+      result_.statuses_.push_back(status);
     }
+    result_.atoms_ = std::move(reached_.atoms);
   }
 
   const Model& model_;
@@ -117,9 +116,9 @@ class TaskBuilder {
 
 FactStatus GroundTask::status(const Literal& literal) const {
   const auto atom = model_->resolve(literal.atom);
-  const auto found = atom ? atoms_.find(*atom) : atoms_.end();
-  if (found != atoms_.end())
-    return literal.negated ? found->second.negative : found->second.positive;
+  const AtomId found = atom ? atoms_.find(*atom) : pddl::AtomTable::kNone;
+  if (found != pddl::AtomTable::kNone)
+    return literal.negated ? statuses_[found].negative : statuses_[found].positive;
   if (literal.negated) return {FactStatus::Kind::AlwaysTrue, 0};
   return {atom ? FactStatus::Kind::NeverTrue : FactStatus::Kind::Unknown, 0};
 }

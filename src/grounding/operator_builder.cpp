@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "atom_index.h"
@@ -56,8 +57,10 @@ OperatorBuilder::OperatorBuilder(const pddl::Model& model, const RelaxedReachabi
 
 std::vector<Operator> OperatorBuilder::build() {
   collectGroups();
-  for (const Group& group : groups_)
-    addGroup(group);
+  // Growing bit by bit, it would move ever more operators in one go.
+  operators_.reserve(group_ends_.size());
+  for (std::size_t number = 0; number < group_ends_.size(); ++number)
+    addGroup(group(number));
   completeComplements();
   std::size_t kept = 0;
   for (Operator& op : operators_) {
@@ -82,27 +85,56 @@ const Schema& OperatorBuilder::schemaOf(std::size_t instantiation) const {
   return model_.schemas[static_cast<std::size_t>(ruleOf(instantiation).schema)];
 }
 
-void OperatorBuilder::collectGroups() {
+bool OperatorBuilder::isAction(std::size_t instantiation) const {
+  return ruleOf(instantiation).effect == Rule::kAction;
+}
+
+/// The group of each instantiation, in the order of their first one.
+std::vector<std::uint32_t> OperatorBuilder::numberGroups() {
   std::vector<std::size_t> rules(model_.schemas.size(), 0);
   for (const Rule& rule : reached_.rules)
     ++rules[static_cast<std::size_t>(rule.schema)];
-  std::unordered_map<pddl::Atom, std::size_t, pddl::AtomHash> group_of;
+  std::vector<std::uint32_t> group_of;
+  group_of.reserve(reached_.instantiations.size());
+  pddl::AtomTable shared;                      // actions with their arguments
+  std::vector<std::uint32_t> group_of_shared;  // by AtomId
+  std::uint32_t groups = 0;
   for (std::size_t i = 0; i < reached_.instantiations.size(); ++i) {
     pollLimits();
-    const Rule& rule = ruleOf(i);
+    const pddl::SchemaId schema = ruleOf(i).schema;
     const auto& arguments = reached_.instantiations[i].arguments;
     // One rule whose variables are the parameters makes every instantiation a group of its own.
-    const auto parameters = static_cast<std::ptrdiff_t>(schemaOf(i).parameters.size());
-    const bool alone = rules[static_cast<std::size_t>(rule.schema)] == 1 &&
-                       arguments.size() == schemaOf(i).parameters.size();
-    std::size_t group = groups_.size();
-    if (!alone) {
-      const pddl::Atom key{rule.schema, {arguments.begin(), arguments.begin() + parameters}};
-      group = group_of.emplace(key, group).first->second;
-    }
-    if (group == groups_.size()) groups_.emplace_back();
-    (rule.effect == Rule::kAction ? groups_[group].actions : groups_[group].effects).push_back(i);
+    const std::size_t parameters = schemaOf(i).parameters.size();
+    const bool alone =
+        rules[static_cast<std::size_t>(schema)] == 1 && arguments.size() == parameters;
+    bool is_new = true;
+    AtomId id = 0;
+    if (!alone) std::tie(id, is_new) = shared.insert({schema, {arguments.begin(), parameters}});
+    if (is_new && !alone) group_of_shared.push_back(groups);
+    group_of.push_back(is_new ? groups++ : group_of_shared[id]);
+    if (is_new) group_ends_.push_back(0);
   }
+  return group_of;
+}
+
+/// Counting sort.
+void OperatorBuilder::collectGroups() {
+  const std::vector<std::uint32_t> group_of = numberGroups();
+  for (const std::uint32_t group : group_of)
+    ++group_ends_[group];
+  std::size_t end = 0;
+  for (std::size_t& size : group_ends_)
+    size = std::exchange(end, end + size);  // now where it begins
+  members_.resize(group_of.size());
+  for (std::size_t i = 0; i < group_of.size(); ++i) {
+    pollLimits();
+    members_[group_ends_[group_of[i]]++] = static_cast<std::uint32_t>(i);
+  }
+}
+
+OperatorBuilder::Group OperatorBuilder::group(std::size_t number) const {
+  const std::size_t begin = number == 0 ? 0 : group_ends_[number - 1];
+  return {members_.data() + begin, group_ends_[number] - begin};
 }
 
 void OperatorBuilder::enter(std::size_t instantiation) {
@@ -150,10 +182,11 @@ std::vector<AtomId> OperatorBuilder::reachedAtoms(
 }
 
 /// Until writeEffects(), `add` and `del` of operators and effects hold AtomIds.
-std::vector<ConditionalEffect> OperatorBuilder::groundEffects(const Group& group) {
+std::vector<ConditionalEffect> OperatorBuilder::groundEffects(Group group) {
   std::map<std::pair<FactSet, FactSet>, Alternatives> conditions;
-  for (const std::size_t instantiation : group.effects) {
+  for (const std::size_t instantiation : group) {
     pollLimits();
+    if (isAction(instantiation)) continue;
     enter(instantiation);
     const pddl::ConditionalEffect& effect =
         schemaOf(instantiation).conditional[ruleOf(instantiation).effect];
@@ -170,29 +203,31 @@ std::vector<ConditionalEffect> OperatorBuilder::groundEffects(const Group& group
   return effects;
 }
 
-void OperatorBuilder::addGroup(const Group& group) {
-  if (group.actions.empty()) return;
+void OperatorBuilder::addGroup(Group group) {
+  const std::size_t first = group[0];  // effects are reached after their action
   try {
     Alternatives preconditions;
-    for (const std::size_t instantiation : group.actions) {
+    std::size_t actions = 0;
+    for (const std::size_t instantiation : group) {
       pollLimits();
+      if (!isAction(instantiation)) continue;
       enter(instantiation);
       append(preconditions, conditionOf(instantiation));
+      ++actions;
     }
-    if (group.actions.size() > 1) preconditions = conditions_.minimal(std::move(preconditions));
+    if (actions > 1) preconditions = conditions_.minimal(std::move(preconditions));
     if (preconditions.empty()) return;
     const std::vector<ConditionalEffect> effects = groundEffects(group);
-    enter(group.actions.front());
+    enter(first);
     for (FactSet& precondition : preconditions) {
       pollLimits();
-      addOperator(group.actions.front(), std::move(precondition), effects);
+      addOperator(first, std::move(precondition), effects);
     }
   } catch (const TooManyAlternatives&) {
-    throw pddl::UnsupportedError(model_.domain_source, {},
-                                 "not supported yet: more than " +
-                                     std::to_string(TooManyAlternatives::kMost) +
-                                     " alternatives in the conditions of action " +
-                                     inQuotes(schemaOf(group.actions.front()).name.spelling));
+    throw pddl::UnsupportedError(
+        model_.domain_source, {},
+        "not supported yet: more than " + std::to_string(TooManyAlternatives::kMost) +
+            " alternatives in the conditions of action " + inQuotes(schemaOf(first).name.spelling));
   }
 }
 
@@ -224,6 +259,7 @@ void OperatorBuilder::addOperator(std::size_t instantiation, FactSet preconditio
   op.cost = cost(instantiation);
   op.name.name = schema.name.name;
   const auto& arguments = reached_.instantiations[instantiation].arguments;
+  op.name.arguments.reserve(schema.parameters.size());
   for (std::size_t i = 0; i < schema.parameters.size(); ++i) {
     const auto object = static_cast<std::size_t>(arguments[i]);
     op.name.arguments.push_back(model_.objects[object].name.name);

@@ -3,11 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "fact_table.h"
 #include "goal_alignment/common/limits.h"
+#include "goal_alignment/common/span.h"
 #include "goal_alignment/grounding/grounder.h"
 #include "goal_alignment/grounding/relaxed_reachability.h"
 #include "goal_alignment/pddl/model.h"
@@ -28,11 +28,9 @@ class OperatorBuilder {
   std::vector<task::Operator> build();
 
  private:
-  /// All that was reached of one action with its arguments.
-  struct Group {
-    std::vector<std::size_t> actions;  // instantiations, one for each alternative
-    std::vector<std::size_t> effects;  // instantiations of its conditional effects
-  };
+  /// All instantiations of one action with its arguments: one for each alternative of its
+  /// precondition, and those of its conditional effects.
+  using Group = Span<std::uint32_t>;
 
   /// Which conditional effects of an operator, or kAlways, add or delete an atom.
   struct Touch {
@@ -43,9 +41,12 @@ class OperatorBuilder {
 
   const Rule& ruleOf(std::size_t instantiation) const;
   const pddl::Schema& schemaOf(std::size_t instantiation) const;
+  bool isAction(std::size_t instantiation) const;
   void collectGroups();
-  void addGroup(const Group& group);
-  std::vector<task::ConditionalEffect> groundEffects(const Group& group);
+  std::vector<std::uint32_t> numberGroups();
+  Group group(std::size_t number) const;
+  void addGroup(Group group);
+  std::vector<task::ConditionalEffect> groundEffects(Group group);
   void enter(std::size_t instantiation);
   Alternatives conditionOf(std::size_t instantiation);
   std::vector<AtomId> reachedAtoms(const std::vector<pddl::LiftedAtom>& atoms) const;
@@ -71,7 +72,8 @@ class OperatorBuilder {
   LimitMonitor monitor_;
   ConditionGrounder conditions_;
   std::vector<std::vector<pddl::Parameter>> variables_;  // by schema
-  std::vector<Group> groups_;                            // in the order of their first action
+  std::vector<std::uint32_t> members_;                   // instantiations, group by group …
+  std::vector<std::size_t> group_ends_;  // … each of which ends before this one of them
   std::vector<task::Operator> operators_;
   std::size_t bytes_ = 0;
 };

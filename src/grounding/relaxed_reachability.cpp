@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <unordered_set>
+#include <memory>
 #include <utility>
 
 #include "atom_index.h"
@@ -13,6 +13,7 @@
 namespace goal_alignment::grounding {
 
 using pddl::Atom;
+using pddl::AtomView;
 using pddl::Formula;
 using pddl::LiftedAtom;
 using pddl::Model;
@@ -25,7 +26,7 @@ namespace {
 
 constexpr std::size_t kAccountedBytesPerAtom = 160;
 constexpr std::size_t kAccountedBytesPerInstantiation = 64;
-constexpr AtomId kNoAtom = static_cast<AtomId>(-1);
+constexpr AtomId kNoAtom = pddl::AtomTable::kNone;
 constexpr std::size_t kNoTrigger = std::numeric_limits<std::size_t>::max();
 
 /// A rule as the join needs it.
@@ -34,7 +35,7 @@ struct Plan {
   std::vector<std::shared_ptr<const Domain>> domains;  // in the order of Rule::variables
   std::vector<int> free;  // variables that no atom of the body mentions
   std::vector<int> kept;  // variables whose objects make a difference to what can change
-  std::unordered_set<Atom, pddl::AtomHash> found;  // what they were, where they are not all
+  pddl::AtomTable found;  // what they were, where they are not all; as atoms of no predicate
 };
 
 /// One run of the fixpoint.
@@ -79,7 +80,6 @@ class Join {
       extend();
     }
     for (; id < result_.atoms.size(); ++id) {
-      index_.insert(id);
       trigger(id);
     }
     forgetReachedActions();
@@ -163,17 +163,18 @@ class Join {
   }
 
   void intern(const Atom& atom) {
-    const auto id = static_cast<AtomId>(result_.atoms.size());
-    if (!result_.ids.emplace(atom, id).second) return;
-    result_.atoms.push_back(atom);
-    arguments_ += 2 * atom.objects.size();
+    if (result_.atoms.insert(atom).second) arguments_ += atom.objects.size();
   }
 
-  /// Matches the newly visible atom with every atom of a body that it may serve.
+  /// Makes the atom visible, and matches it with every atom of a body that it may serve.
   void trigger(AtomId id) {
+    checkLimits();
+    const AtomView atom = result_.atoms[id];
+    const auto& occurrences = occurrences_[static_cast<std::size_t>(atom.predicate)];
+    if (occurrences.empty()) return;  // nobody will look for it
+    index_.insert(id);
     newest_ = id;
-    const Atom atom = result_.atoms[id];  // a copy: interning moves the vector
-    for (const Occurrence& at : occurrences_[static_cast<std::size_t>(atom.predicate)]) {
+    for (const Occurrence& at : occurrences) {
       checkLimits();
       ++result_.match_attempts;
       start(at.plan, at.position);
@@ -211,7 +212,7 @@ class Join {
     return term.is_parameter ? binding_[static_cast<std::size_t>(term.index)] : term.index;
   }
 
-  bool match(const LiftedAtom& lifted, const Atom& atom) {
+  bool match(const LiftedAtom& lifted, const AtomView& atom) {
     for (std::size_t i = 0; i < lifted.terms.size(); ++i) {
       const ObjectId bound = value(lifted.terms[i]);
       if (bound == atom.objects[i]) continue;
@@ -279,8 +280,8 @@ class Join {
   }
 
   bool initially(const LiftedAtom& atom) const {
-    const auto found = result_.ids.find(groundAtom(atom, binding_));
-    return found != result_.ids.end() && found->second < result_.initial_count;
+    const AtomId found = result_.atoms.find(groundAtom(atom, binding_));
+    return found != kNoAtom && found < result_.initial_count;
   }
 
   bool maybeFalse(const LiftedAtom& atom) const {
@@ -330,14 +331,20 @@ class Join {
     return found;
   }
 
+  /// The objects of these variables, until the next call.
+  Span<ObjectId> bound(const std::vector<int>& variables) {
+    bound_.clear();
+    for (const int variable : variables)
+      bound_.push_back(binding_[static_cast<std::size_t>(variable)]);
+    return bound_;
+  }
+
   /// False where another binding has made the same difference already.
   bool isNew() {
     if (plan_->kept.size() == plan_->rule->variables.size()) return true;
-    Atom kept;
-    for (const int variable : plan_->kept)
-      kept.objects.push_back(binding_[static_cast<std::size_t>(variable)]);
-    arguments_ += kept.objects.size();
-    return plan_->found.insert(std::move(kept)).second;
+    const bool is_new = plan_->found.insert({0, bound(plan_->kept)}).second;
+    if (is_new) arguments_ += plan_->kept.size();
+    return is_new;
   }
 
   void instantiate() {
@@ -352,32 +359,26 @@ class Join {
       if (!maybeHolds(*formula)) return;
     }
     if (!isNew()) return;
-    Instantiation instantiation;
-    instantiation.rule = static_cast<std::size_t>(&rule - result_.rules.data());
-    for (const int variable : rule.variables)
-      instantiation.arguments.push_back(binding_[static_cast<std::size_t>(variable)]);
-    arguments_ += instantiation.arguments.size();
-    result_.instantiations.push_back(std::move(instantiation));
+    result_.instantiations.push_back({static_cast<std::size_t>(&rule - result_.rules.data()),
+                                      result_.arguments.keep(bound(rule.variables))});
+    arguments_ += rule.variables.size();
     for (const LiftedAtom& atom : rule.head)
       intern(groundAtom(atom, binding_));
   }
 
   /// The atoms that tied effects to their actions are no part of the result.
   void forgetReachedActions() {
-    const auto is_action = [this](const Atom& atom) {
+    const auto is_action = [this](const AtomView& atom) {
       return static_cast<std::size_t>(atom.predicate) >= model_.predicates.size();
     };
-    auto& atoms = result_.atoms;
-    if (std::none_of(atoms.begin(), atoms.end(), is_action)) return;
-    for (const Atom& atom : atoms) {
+    const auto conditional = [](const Schema& schema) { return !schema.conditional.empty(); };
+    if (std::none_of(model_.schemas.begin(), model_.schemas.end(), conditional)) return;
+    pddl::AtomTable atoms;
+    for (const AtomView atom : result_.atoms) {
       checkLimits();
-      if (is_action(atom)) result_.ids.erase(atom);
+      if (!is_action(atom)) atoms.insert(atom);
     }
-    atoms.erase(std::remove_if(atoms.begin(), atoms.end(), is_action), atoms.end());
-    for (AtomId id = 0; id < atoms.size(); ++id) {
-      checkLimits();
-      result_.ids.at(atoms[id]) = id;
-    }
+    result_.atoms = std::move(atoms);
   }
 
   const Model& model_;
@@ -397,6 +398,7 @@ class Join {
   std::size_t triggered_by_ = 0;
   std::vector<const Domain*> domain_;  // by variable, where the rule has it
   std::vector<ObjectId> binding_;
+  std::vector<ObjectId> bound_;
   std::vector<std::size_t> trail_;
   std::vector<bool> matched_;
 };
@@ -414,8 +416,7 @@ Atom groundAtom(const LiftedAtom& atom, const std::vector<ObjectId>& binding) {
   return ground;
 }
 
-void bind(const Rule& rule, const std::vector<ObjectId>& arguments,
-          std::vector<ObjectId>& binding) {
+void bind(const Rule& rule, Span<ObjectId> arguments, std::vector<ObjectId>& binding) {
   for (std::size_t i = 0; i < arguments.size(); ++i)
     binding[static_cast<std::size_t>(rule.variables[i])] = arguments[i];
 }

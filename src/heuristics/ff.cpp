@@ -14,9 +14,9 @@ constexpr std::uint32_t kNoSupporter = static_cast<std::uint32_t>(-1);
 
 }  // namespace
 
-Ff::Ff(const task::Task& task, const task::Goal& goal)
+Ff::Ff(const task::Task& task, const task::Goal& goal, const Limits& limits)
     : task_(task),
-      relaxed_(task, goal),
+      relaxed_(task, goal, limits),
       state_words_(task::wordsFor(task.facts.size())),
       fact_cost_(relaxed_.fact_count),
       fact_supporter_(relaxed_.fact_count),

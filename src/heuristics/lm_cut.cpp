@@ -9,9 +9,19 @@ namespace goal_alignment::heuristics {
 using task::Cost;
 using task::FactId;
 
+namespace {
+
+Limits cancelledBy(const CancelToken* cancel) {
+  Limits limits;
+  limits.cancel = cancel;
+  return limits;
+}
+
+}  // namespace
+
 LmCut::LmCut(const task::Task& task, const task::Goal& goal, const CancelToken* cancel)
     : cancel_(cancel),
-      relaxed_(task, goal),
+      relaxed_(task, goal, cancelledBy(cancel)),
       state_words_(task::wordsFor(task.facts.size())),
       facts_(relaxed_.fact_count),
       fresh_operators_(relaxed_.operator_count),

@@ -64,7 +64,7 @@ bool mayEmpty(const Operator& op, const Members& group) {
 
 }  // namespace
 
-MutexGroups::MutexGroups(const Task& task, std::vector<FactSet> groups)
+MutexGroups::MutexGroups(const Task& task, std::vector<FactSet> groups, const Limits& limits)
     : groups_(std::move(groups)), places_(task.facts.size()), exactly_one_(groups_.size(), false) {
   for (std::uint32_t group = 0; group < groups_.size(); ++group) {
     for (std::uint32_t value = 0; value < groups_[group].size(); ++value)
@@ -74,7 +74,9 @@ MutexGroups::MutexGroups(const Task& task, std::vector<FactSet> groups)
     exactly_one_[places_[fact].group] = true;
   Members members(task.facts.size());
   std::vector<std::uint32_t> touched;
+  LimitMonitor monitor(limits);
   for (const Operator& op : task.operators) {
+    poll(monitor);
     touched.clear();
     const auto touch = [&](const FactSet& facts) {
       for (const FactId fact : facts)
@@ -208,7 +210,8 @@ MutexGroups groupsFromPairs(const Task& task, const MutexTable& mutexes, const L
               if (cover.covered(f)) task::clearBit(open.data(), f);
             }
             return growClique(rest.front(), rows, open, monitor);
-          })};
+          }),
+          limits};
 }
 
 namespace {
@@ -226,6 +229,7 @@ class InvariantSearch {
     for (const FactId fact : task.initial)
       initial_.add(fact);
     for (OperatorId id = 0; id < task.operators.size(); ++id) {
+      poll(monitor);
       const Operator& op = task.operators[id];
       note(op.add, id, adders_);
       note(op.precondition, id, users_);
@@ -344,7 +348,7 @@ MutexGroups groupsFromInvariants(const Task& task, const Limits& limits) {
       seen[member] = true;
     cover.offer(std::move(group));
   }
-  return {task, cover.take([](FactSet rest) { return rest; })};
+  return {task, cover.take([](FactSet rest) { return rest; }), limits};
 }
 
 MutexGroups mutexGroups(const Task& task, const MutexTable& mutexes, const Limits& limits) {

@@ -73,9 +73,11 @@ Part makePart(const task::Task& task, OperatorId id, const ConditionalEffect* ef
   return part;
 }
 
-std::vector<Part> partsOf(const task::Task& task) {
+std::vector<Part> partsOf(const task::Task& task, LimitMonitor& monitor) {
   std::vector<Part> parts;
+  parts.reserve(task.operators.size());
   for (OperatorId op = 0; op < task.operators.size(); ++op) {
+    pollOrThrow(monitor, "the mutex table");
     parts.push_back(makePart(task, op, nullptr));
     for (const ConditionalEffect& effect : task.operators[op].conditional) {
       if (!effect.add.empty()) parts.push_back(makePart(task, op, &effect));
@@ -109,7 +111,7 @@ class MutexTable::Fixpoint {
   Fixpoint(MutexTable& table, const task::Task& task, const Limits& limits)
       : table_(table),
         monitor_(limits),
-        parts_(partsOf(task)),
+        parts_(partsOf(task, monitor_)),
         needed_by_(task.facts.size()),
         work_(parts_.size()),
         after_(table.words_) {
@@ -220,11 +222,13 @@ MutexTable::MutexTable(const task::Task& task, const Limits& limits)
 }
 
 task::Task MutexTable::withoutInapplicable(task::Task task) const {
-  std::vector<task::Operator> kept;
+  std::size_t kept = 0;
   for (OperatorId op = 0; op < task.operators.size(); ++op) {
-    if (applicable_[op]) kept.push_back(std::move(task.operators[op]));
+    if (!applicable_[op]) continue;
+    if (kept != op) task.operators[kept] = std::move(task.operators[op]);
+    ++kept;
   }
-  task.operators = std::move(kept);
+  task.operators.resize(kept);
   return task;
 }
 

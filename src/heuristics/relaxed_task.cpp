@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/task/relevance.h"
 
 namespace goal_alignment::heuristics {
@@ -35,11 +36,12 @@ Rows::Rows(const RowList& rows) {
   }
 }
 
-RelaxedTask::RelaxedTask(const task::Task& task, const task::Goal& goal)
+RelaxedTask::RelaxedTask(const task::Task& task, const task::Goal& goal, const Limits& limits)
     : fact_count(task.facts.size() + 2),
       true_fact(static_cast<FactId>(task.facts.size())),
       goal_fact(true_fact + 1) {
-  const std::vector<bool> relevant = task::relevance(task, goal).operators;
+  const std::vector<bool> relevant = task::relevance(task, goal, limits).operators;
+  LimitMonitor monitor(limits);
   RowList precondition_rows;
   RowList effect_rows;
   const auto add = [&](task::FactSet precondition, const std::vector<FactId>& effect,
@@ -57,6 +59,7 @@ RelaxedTask::RelaxedTask(const task::Task& task, const task::Goal& goal)
     add(std::move(precondition), effect, task.operators[op].cost);
   };
   for (OperatorId op = 0; op < task.operators.size(); ++op) {
+    pollOrThrow(monitor, "the relaxed task");
     if (!relevant[op]) continue;
     const task::Operator& whole = task.operators[op];
     if (!whole.add.empty()) add_part(op, whole.precondition, whole.add);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
+#include <string_view>
 
 #include "goal_alignment/pddl/near_name.h"
 #include "link_context.h"
@@ -19,9 +20,9 @@ constexpr const char* kTotalCost = "total-cost";
 
 /// The types of a predicate's or function's parameters; their names mean nothing.
 Predicate signature(LinkContext& context, const ast::Predicate& declared) {
-  Predicate linked{{toLower(declared.name.spelling), declared.name.spelling}, {}};
+  Predicate linked{Spelled(declared.name.spelling), {}};
   for (const ast::TypedName& parameter : declared.parameters) {
-    linked.parameter_types.push_back(context.typeOf(parameter, context.domain.source.name));
+    linked.parameter_types.push_back(context.typeOf(parameter, context.domain.source->name));
   }
   return linked;
 }
@@ -30,7 +31,7 @@ void linkSignatures(LinkContext& context, const std::vector<ast::Predicate>& dec
                     NameTable& names, std::vector<Predicate>& into) {
   for (const ast::Predicate& predicate : declared) {
     if (!names.add(predicate.name.spelling, static_cast<PredicateId>(into.size()))) {
-      failDeclaredTwice(names.kind(), predicate.name, context.domain.source.name);
+      failDeclaredTwice(names.kind(), predicate.name, context.domain.source->name);
     }
     into.push_back(signature(context, predicate));
   }
@@ -52,9 +53,9 @@ void addObjects(LinkContext& context, const std::vector<ast::TypedName>& list,
   for (const ast::TypedName& declared : list) {
     context.pollLimits();
     const TypeId type = context.typeOf(declared, source_name);
-    const std::string& spelling = declared.name.spelling;
+    const std::string_view spelling = declared.name.spelling;
     if (context.objects.add(spelling, static_cast<ObjectId>(context.model.objects.size()))) {
-      context.model.objects.push_back({{toLower(spelling), spelling}, type});
+      context.model.objects.push_back({Spelled(spelling), type});
       continue;
     }
     if (!repeatsConstant(context, declared, type, constants) ||
@@ -68,8 +69,8 @@ void addObjects(LinkContext& context, const std::vector<ast::TypedName>& list,
 }  // namespace
 
 void linkObjects(LinkContext& context) {
-  addObjects(context, context.domain.constants, context.domain.source.name, 0);
-  addObjects(context, context.problem.objects, context.problem.source.name,
+  addObjects(context, context.domain.constants, context.domain.source->name, 0);
+  addObjects(context, context.problem.objects, context.problem.source->name,
              context.model.objects.size());
 }
 

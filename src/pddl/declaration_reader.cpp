@@ -20,7 +20,7 @@ ast::TypeName readType(TokenReader& reader) {
   if (!reader.atOpen()) return {reader.name("a type"), {}};
   reader.open();
   const Token either = reader.word("either", "'either'");
-  ast::TypeName type{{std::string(either.text), either.position}, {}};
+  ast::TypeName type{{either.text, either.position}, {}};
   do
     type.either.push_back(reader.name("a type"));
   while (!reader.atClose());
@@ -75,7 +75,7 @@ std::vector<ast::Name> readRequirements(TokenReader& reader) {
     const std::string what = "a requirement such as ':strips' or ')'";
     if (reader.atWord() && reader.current().text.front() != ':') reader.failExpecting(what);
     const Token flag = reader.word(what);
-    requirements.push_back({std::string(flag.text), flag.position});
+    requirements.push_back({flag.text, flag.position});
   }
   return requirements;
 }

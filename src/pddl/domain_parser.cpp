@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <memory>
 #include <string>
 
 #include "action_reader.h"
@@ -22,8 +23,9 @@ const Sections kSections{
 /// linking, so none needs to stand before another.
 class DomainParser {
  public:
-  DomainParser(const Source& source, const Limits& limits) : reader_(source, limits) {
-    domain_.source.name = source.name;
+  DomainParser(const Source& source, const Limits& limits)
+      : source_(std::make_shared<const Source>(source)), reader_(*source_, limits) {
+    domain_.source = source_;
   }
 
   ast::Domain parse() {
@@ -61,6 +63,7 @@ class DomainParser {
     }
   }
 
+  std::shared_ptr<const Source> source_;
   TokenReader reader_;
   ast::Domain domain_;
   SectionLog log_;

@@ -174,10 +174,10 @@ std::vector<ast::TypedName> readVariables(TokenReader& reader) {
   return variables;
 }
 
-std::vector<ast::Name> readTerms(TokenReader& reader, Terms terms) {
+ast::Names readTerms(TokenReader& reader, Terms terms) {
   const bool lifted = terms == Terms::WithParameters;
   const char* what = lifted ? "a parameter, an object or ')'" : "an object or ')'";
-  std::vector<ast::Name> read;
+  ast::Names read;
   while (!reader.atClose()) {
     const bool parameter = lifted && reader.atVariable();
     read.push_back(parameter ? reader.variable(what) : reader.name(what));

@@ -25,7 +25,7 @@ void refuseReserved(const TokenReader& reader);
 std::vector<ast::TypedName> readVariables(TokenReader& reader);
 
 /// Zero or more terms, up to the `)`, which it leaves.
-std::vector<ast::Name> readTerms(TokenReader& reader, Terms terms);
+ast::Names readTerms(TokenReader& reader, Terms terms);
 
 /// `name term …` up to the `)`, which it leaves; `what` names what is expected, for messages.
 ast::Atom readAtom(TokenReader& reader, Terms terms, const std::string& what);

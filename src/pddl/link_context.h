@@ -6,7 +6,7 @@
 
 #include "goal_alignment/pddl/ast.h"
 #include "goal_alignment/pddl/model.h"
-#include "name_table.h"
+#include "goal_alignment/pddl/name_table.h"
 
 /// Linking in four steps, each of which needs the ones before it: declarations, action schemas,
 /// then the problem's facts and goal. Every step throws SemanticError at the first fault.
@@ -61,7 +61,7 @@ Atom linkGroundAtom(const LinkContext& context, const ast::Atom& atom, const Voc
 /// `'on' takes 2 arguments, found 1`
 std::string wrongCount(const std::string& taker, std::size_t takes, std::size_t given);
 /// `'b' is of type 'ball', but 'on' takes 'block' there`
-std::string wrongType(const Model& model, const std::string& term, TypeId is,
+std::string wrongType(const Model& model, std::string_view term, TypeId is,
                       const std::string& taker, TypeId wanted);
 
 }  // namespace goal_alignment::pddl

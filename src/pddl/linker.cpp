@@ -12,9 +12,9 @@ namespace {
 /// Pairs of files get mixed up, most of all where robot and human have one pair each.
 void requireSameDomain(const ast::Domain& domain, const ast::Problem& problem) {
   if (toLower(domain.name.spelling) == toLower(problem.domain_name.spelling)) return;
-  throw SemanticError(problem.source.name, problem.domain_name.position,
+  throw SemanticError(problem.source->name, problem.domain_name.position,
                       "the problem is for domain " + inQuotes(problem.domain_name.spelling) +
-                          ", but " + domain.source.name + " defines " +
+                          ", but " + domain.source->name + " defines " +
                           inQuotes(domain.name.spelling));
 }
 
@@ -23,13 +23,13 @@ void requireSameDomain(const ast::Domain& domain, const ast::Problem& problem) {
 LinkContext::LinkContext(const ast::Domain& domain_ast, const ast::Problem& problem_ast,
                          const Limits& limits)
     : domain(domain_ast), problem(problem_ast), monitor(limits) {
-  model.domain_source = domain.source.name;
-  model.problem_source = problem.source.name;
+  model.domain_source = domain.source->name;
+  model.problem_source = problem.source->name;
   model.has_costs = problem.minimises_total_cost;
 }
 
 void LinkContext::pollLimits() {
-  pollOrThrow(monitor, "reading ", problem.source.name);
+  pollOrThrow(monitor, "reading ", problem.source->name);
 }
 
 TypeId LinkContext::typeOf(const ast::TypedName& typed, const std::string& source_name) {
@@ -51,7 +51,7 @@ std::string wrongCount(const std::string& taker, std::size_t takes, std::size_t 
          (takes == 1 ? " argument" : " arguments") + ", found " + std::to_string(given);
 }
 
-std::string wrongType(const Model& model, const std::string& term, TypeId is,
+std::string wrongType(const Model& model, std::string_view term, TypeId is,
                       const std::string& taker, TypeId wanted) {
   return inQuotes(term) + " is of type " + inQuotes(model.types[is].name.spelling) + ", but " +
          inQuotes(taker) + " takes " + inQuotes(model.types[wanted].name.spelling) + " there";
@@ -73,6 +73,7 @@ Atom linkGroundAtom(const LinkContext& context, const ast::Atom& atom, const Voc
                     const std::string& source_name) {
   const Model& model = context.model;
   Atom ground{signatureOf(atom, vocabulary, source_name), {}};
+  ground.objects.reserve(atom.terms.size());
   const Predicate& signature = vocabulary.signatures[ground.predicate];
   for (std::size_t i = 0; i < atom.terms.size(); ++i) {
     const ObjectId object = context.objects.at(atom.terms[i], source_name);
@@ -100,9 +101,9 @@ Model link(const ast::Domain& domain, const ast::Problem& problem, const Limits&
   linkInit(context);
   linkGoal(context);
   // The tables of types and functions served linking only.
-  context.model.predicate_ids_ = context.predicates.release();
-  context.model.object_ids_ = context.objects.release();
-  context.model.schema_ids_ = context.schemas.release();
+  context.model.predicate_ids_ = std::move(context.predicates);
+  context.model.object_ids_ = std::move(context.objects);
+  context.model.schema_ids_ = std::move(context.schemas);
   return std::move(context.model);
 }
 

@@ -4,41 +4,19 @@
 #include <algorithm>
 
 #include "link_context.h"
-#include "name_table.h"
 
 namespace goal_alignment::pddl {
 
-namespace {
-
-std::optional<int> findIn(const std::unordered_map<std::string, int>& ids,
-                          const std::string& lower_name) {
-  const auto found = ids.find(lower_name);
-  if (found == ids.end()) return std::nullopt;
-  return found->second;
-}
-
-}  // namespace
-
-std::size_t AtomHash::operator()(const Atom& atom) const noexcept {
-  // Ids are small and dense; a multiplication each spreads them over the buckets.
-  std::uint64_t hash = static_cast<std::uint64_t>(atom.predicate) + 1;
-  for (const ObjectId object : atom.objects) {
-    hash = (hash ^ (static_cast<std::uint64_t>(object) + 1)) * 0x9e3779b97f4a7c15ULL;
-    hash ^= hash >> 29U;
-  }
-  return static_cast<std::size_t>(hash);
-}
-
 std::optional<PredicateId> Model::findPredicate(const std::string& lower_name) const {
-  return findIn(predicate_ids_, lower_name);
+  return predicate_ids_.findLower(lower_name);
 }
 
 std::optional<ObjectId> Model::findObject(const std::string& lower_name) const {
-  return findIn(object_ids_, lower_name);
+  return object_ids_.findLower(lower_name);
 }
 
 std::optional<SchemaId> Model::findSchema(const std::string& lower_name) const {
-  return findIn(schema_ids_, lower_name);
+  return schema_ids_.findLower(lower_name);
 }
 
 bool Model::isSubtype(TypeId type, TypeId of) const {
@@ -69,33 +47,34 @@ std::optional<Atom> Model::resolve(const GroundName& ground, std::string* why_no
     return std::nullopt;
   };
   // The message's cost (it looks for near names) falls on those who want it only.
-  const auto unknown = [&](const char* kind, const std::string& name,
-                           const std::unordered_map<std::string, int>& ids) {
-    return fail(why_not == nullptr ? std::string() : unknownName(kind, name, ids));
+  const auto unknown = [&](const std::string& name, const NameTable& known) {
+    return fail(why_not == nullptr ? std::string() : known.unknown(name));
   };
   const std::optional<PredicateId> id = findPredicate(ground.name);
-  if (!id) return unknown("predicate", ground.name, predicate_ids_);
+  if (!id) return unknown(ground.name, predicate_ids_);
   const Predicate& predicate = predicates[*id];
   if (predicate.parameter_types.size() != ground.arguments.size()) {
     return fail(wrongCount(predicate.name.spelling, predicate.parameter_types.size(),
                            ground.arguments.size()));
   }
-  Atom atom{*id, {}};
+  std::optional<Atom> atom(std::in_place);
+  atom->predicate = *id;
   for (std::size_t i = 0; i < ground.arguments.size(); ++i) {
     const std::optional<ObjectId> object = findObject(ground.arguments[i]);
-    if (!object) return unknown("object", ground.arguments[i], object_ids_);
+    if (!object) return unknown(ground.arguments[i], object_ids_);
     const TypeId wanted = predicate.parameter_types[i];
     if (!isSubtype(objects[*object].type, wanted)) {
       return fail(wrongType(*this, objects[*object].name.spelling, objects[*object].type,
                             predicate.name.spelling, wanted));
     }
-    atom.objects.push_back(*object);
+    atom->objects.push_back(*object);
   }
   return atom;
 }
 
-GroundName Model::name(const Atom& atom) const {
+GroundName Model::name(const AtomView& atom) const {
   GroundName ground{predicates[atom.predicate].name.name, {}};
+  ground.arguments.reserve(atom.objects.size());
   for (const ObjectId object : atom.objects)
     ground.arguments.push_back(objects[object].name.name);
   return ground;

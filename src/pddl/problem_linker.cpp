@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unordered_set>
 #include <utility>
 
 #include "formula_linker.h"
+#include "goal_alignment/pddl/atom_table.h"
 #include "goal_alignment/pddl/near_name.h"
 #include "link_context.h"
 
@@ -15,7 +15,7 @@ void linkFunctionValue(LinkContext& context, const ast::FunctionValue& set) {
   const ast::Name& name = set.function.predicate;
   // Costs are counted from the start of the plan, whatever was spent before.
   if (toLower(name.spelling) == "total-cost" && set.function.terms.empty()) return;
-  const std::string& source_name = context.problem.source.name;
+  const std::string& source_name = context.problem.source->name;
   const Atom term = linkGroundAtom(context, set.function, functionsOf(context), source_name);
   const auto [known, is_new] = context.model.function_values.emplace(term, set.value);
   if (!is_new && known->second != set.value) {
@@ -27,14 +27,14 @@ void linkFunctionValue(LinkContext& context, const ast::FunctionValue& set) {
 
 /// Whether `(= a b)` between two objects holds.
 bool holds(const LinkContext& context, const ast::Literal& equality) {
-  const std::string& source_name = context.problem.source.name;
+  const std::string& source_name = context.problem.source->name;
   const bool same = context.objects.at(equality.atom.terms[0], source_name) ==
                     context.objects.at(equality.atom.terms[1], source_name);
   return same != equality.negated;
 }
 
 void linkGoalLiteral(LinkContext& context, const ast::Literal& literal) {
-  const std::string& source_name = context.problem.source.name;
+  const std::string& source_name = context.problem.source->name;
   // An equality between objects is decided here and now; the goal keeps what a plan can change.
   if (!literal.equality) {
     context.model.goal.push_back(
@@ -64,8 +64,8 @@ void addGoalCondition(Model& model, Formula part) {
 }  // namespace
 
 void linkInit(LinkContext& context) {
-  const std::string& source_name = context.problem.source.name;
-  std::unordered_set<Atom, AtomHash> known;
+  const std::string& source_name = context.problem.source->name;
+  AtomTable known;
   for (const ast::Atom& fact : context.problem.init) {
     context.pollLimits();
     const Atom atom = linkGroundAtom(context, fact, predicatesOf(context), source_name);
@@ -73,20 +73,22 @@ void linkInit(LinkContext& context) {
   }
   // Under the closed world a negative fact says nothing new, but it must not contradict.
   for (const ast::Atom& fact : context.problem.init_false) {
+    context.pollLimits();
     const Atom atom = linkGroundAtom(context, fact, predicatesOf(context), source_name);
-    if (known.count(atom) > 0) {
+    if (known.find(atom) != AtomTable::kNone) {
       throw SemanticError(
           source_name, fact.predicate.position,
           inQuotes(context.model.name(atom).text()) + " is both true and false in :init");
     }
   }
   for (const ast::FunctionValue& value : context.problem.init_values) {
+    context.pollLimits();
     linkFunctionValue(context, value);
   }
 }
 
 void linkGoal(LinkContext& context) {
-  const std::string& source_name = context.problem.source.name;
+  const std::string& source_name = context.problem.source->name;
   FormulaLinker linker(context, source_name, " in the goal");
   linker.enter({});  // it has no parameters
   for (const ast::Formula& part : context.problem.goal) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <memory>
 #include <string>
 
 #include "declaration_reader.h"
@@ -20,8 +21,9 @@ const Sections kSections{{":domain", ":requirements", ":objects", ":init", ":goa
 /// missing; the domain's name and a goal may not, since no plan could be asked for.
 class ProblemParser {
  public:
-  ProblemParser(const Source& source, const Limits& limits) : reader_(source, limits) {
-    problem_.source.name = source.name;
+  ProblemParser(const Source& source, const Limits& limits)
+      : source_(std::make_shared<const Source>(source)), reader_(*source_, limits) {
+    problem_.source = source_;
   }
 
   ast::Problem parse() {
@@ -142,6 +144,7 @@ class ProblemParser {
     if (position.line == 0) reader_.failExpecting(section);
   }
 
+  std::shared_ptr<const Source> source_;
   TokenReader reader_;
   ast::Problem problem_;
   SectionLog log_;

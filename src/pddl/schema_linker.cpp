@@ -22,11 +22,11 @@ class SchemaLinker {
   SchemaLinker(LinkContext& context, const ast::Action& action)
       : context_(context),
         action_(action),
-        linker_(context, context.domain.source.name,
+        linker_(context, context.domain.source->name,
                 " in action " + inQuotes(action.name.spelling)) {}
 
   Schema link() {
-    schema_.name = {toLower(action_.name.spelling), action_.name.spelling};
+    schema_.name = Spelled(action_.name.spelling);
     linker_.enter(action_.parameters);
     schema_.parameters = linker_.variables();
     Formula precondition = linker_.conjunction(action_.precondition);
@@ -144,7 +144,7 @@ void linkSchemas(LinkContext& context) {
   for (const ast::Action& action : context.domain.actions) {
     const auto id = static_cast<SchemaId>(context.model.schemas.size());
     if (!context.schemas.add(action.name.spelling, id)) {
-      throw SemanticError(context.domain.source.name, action.name.position,
+      throw SemanticError(context.domain.source->name, action.name.position,
                           "action " + inQuotes(action.name.spelling) + " is declared twice");
     }
     context.model.schemas.push_back(SchemaLinker(context, action).link());

@@ -52,13 +52,13 @@ Token TokenReader::word(std::string_view lower_case, const std::string& what) {
 ast::Name TokenReader::name(const std::string& what) {
   if (!atName()) failExpecting(what);
   const Token token = take();
-  return {std::string(token.text), token.position};
+  return {token.text, token.position};
 }
 
 ast::Name TokenReader::variable(const std::string& what) {
   if (!atVariable()) failExpecting(what);
   const Token token = take();
-  return {std::string(token.text), token.position};
+  return {token.text, token.position};
 }
 
 void TokenReader::finish() {

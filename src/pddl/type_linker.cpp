@@ -32,8 +32,7 @@ class TypeLinker {
   TypeId add(const ast::Name& name) {
     const auto id = static_cast<TypeId>(types_.size());
     if (!context_.types.add(name.spelling, id)) return *context_.types.find(name.spelling);
-    types_.push_back(
-        {{toLower(name.spelling), name.spelling}, id == kObjectType ? -1 : kObjectType, {}});
+    types_.push_back({Spelled(name.spelling), id == kObjectType ? -1 : kObjectType, {}});
     positions_.push_back(name.position);
     return id;
   }
@@ -66,7 +65,7 @@ class TypeLinker {
       }
       if (walk_of[type] == start && type != kObjectType) {
         throw SemanticError(
-            context_.domain.source.name, positions_[type],
+            context_.domain.source->name, positions_[type],
             "type " + inQuotes(types_[type].name.spelling) + " is its own ancestor");
       }
     }
@@ -78,14 +77,14 @@ class TypeLinker {
       int depth = 0;
       for (auto type = static_cast<TypeId>(start); type != kObjectType; type = types_[type].parent)
         if (++depth > kDeepestHierarchy) {
-          throw SemanticError(context_.domain.source.name, positions_[start],
+          throw SemanticError(context_.domain.source->name, positions_[start],
                               "types are nested deeper than " + std::to_string(kDeepestHierarchy));
         }
     }
   }
 
   [[noreturn]] void fail(const ast::Name& at, const std::string& message) const {
-    throw SemanticError(context_.domain.source.name, at.position, message);
+    throw SemanticError(context_.domain.source->name, at.position, message);
   }
 
   LinkContext& context_;
@@ -115,7 +114,7 @@ TypeId unionOf(LinkContext& context, const ast::TypeName& written, const std::st
   // No declared type's name has parentheses, so that unions may stand among them.
   const auto id = static_cast<TypeId>(model.types.size());
   if (!context.types.add(name, id)) return *context.types.find(name);
-  model.types.push_back({{name, name}, kObjectType, std::move(members)});
+  model.types.push_back({Spelled(name), kObjectType, std::move(members)});
   return id;
 }
 

@@ -2,8 +2,9 @@
 #include "expected_cost.h"
 
 #include <algorithm>
-#include <vector>
+#include <limits>
 
+#include "family_symmetry.h"
 #include "live_conflict.h"
 
 namespace goal_alignment::questions {
@@ -12,20 +13,21 @@ namespace {
 
 constexpr double kNoCutoff = std::numeric_limits<double>::infinity();
 
+/// Families remembered from one decision to the next: some 100 MiB.
+constexpr std::size_t kMostKnown = std::size_t{1} << 21U;
+
+/// About a millisecond.
+constexpr std::uint64_t kWorkBetweenPolls = 100'000;
+
 }  // namespace
 
 std::optional<Bits> ExpectedCost::bestFirst(const Family& family, std::uint64_t work) {
-  work_left_ = work;
+  allow(work);
   if (const Bits first = certainlyFirst(family, p_); first != 0) return first;
-  std::vector<Option> options;
   try {
-    for (Bits left = worthAsking(family, p_); left != 0; left = withoutFirst(left))
-      options.push_back(optionOf(family, firstBit(left)));
-    std::sort(options.begin(), options.end(),
-              [](const Option& a, const Option& b) { return a.least < b.least; });
     double best = kNoCutoff;
     Bits result = 0;
-    for (Option& option : options) {
+    for (Option& option : optionsOf(family)) {
       const double of_option = valueOf(option, best * (1 + kTolerance));
       if (of_option > best * (1 + kTolerance)) continue;
       if (of_option < best * (1 - kTolerance)) result = 0;
@@ -39,7 +41,7 @@ std::optional<Bits> ExpectedCost::bestFirst(const Family& family, std::uint64_t 
 }
 
 std::optional<double> ExpectedCost::of(const Family& family, std::uint64_t work) {
-  work_left_ = work;
+  allow(work);
   try {
     return value(family, kNoCutoff);
   } catch (const OutOfWork&) {
@@ -51,12 +53,13 @@ std::optional<double> ExpectedCost::of(const Family& family, std::uint64_t work)
 /// cutoff.
 double ExpectedCost::value(const Family& family, double cutoff) {
   if (isDisjoint(family)) return disjointCost(family, p_);
-  const FamilyKey key = family.key();
+  const FamilyKey key = keyUpToNames(family, p_);
   if (const auto found = known_.find(key); found != known_.end()) {
     if (found->second.exact || found->second.value >= cutoff) return found->second.value;
   }
   const double result = leastOver(family, cutoff);
-  known_[key] = {result, result < cutoff};
+  Known& known = known_[key];
+  known = {std::max(known.value, result), result < cutoff};
   return result;
 }
 
@@ -66,15 +69,20 @@ double ExpectedCost::leastOver(const Family& family, double cutoff) {
     Option option = optionOf(family, firstBit(first));
     return valueOf(option, cutoff);
   }
+  double best = kNoCutoff;
+  for (Option& option : optionsOf(family))
+    best = std::min(best, valueOf(option, std::min(best, cutoff)));
+  return best;
+}
+
+/// The most promising first, which makes the cutoff sharp for the rest.
+std::vector<ExpectedCost::Option> ExpectedCost::optionsOf(const Family& family) {
   std::vector<Option> options;
   for (Bits left = worthAsking(family, p_); left != 0; left = withoutFirst(left))
     options.push_back(optionOf(family, firstBit(left)));
   std::sort(options.begin(), options.end(),
             [](const Option& a, const Option& b) { return a.least < b.least; });
-  double best = kNoCutoff;
-  for (Option& option : options)
-    best = std::min(best, valueOf(option, std::min(best, cutoff)));
-  return best;
+  return options;
 }
 
 /// As value(), of asking this first.
@@ -103,7 +111,9 @@ ExpectedCost::Option ExpectedCost::optionOf(const Family& family, std::size_t ca
   option.yes = family.ifWanted(candidate);
   option.no = family.ifNotWanted(candidate);
   const std::size_t with = family.size() - option.no.size();
-  spend(family.size() + with * option.no.size());
+  const std::uint64_t work = 16 + 3 * family.size() + with * option.no.size();
+  spend(has_alike_ ? 2 * work : work);  // keys take as long as all the rest
+
   const double p = p_[candidate];
   option.least_yes = p > 0 ? bound(option.yes) : 0;
   option.least_no = p < 1 ? bound(option.no) : 0;
@@ -113,13 +123,22 @@ ExpectedCost::Option ExpectedCost::optionOf(const Family& family, std::size_t ca
 
 double ExpectedCost::bound(const Family& family) const {
   if (isDisjoint(family)) return disjointCost(family, p_);
-  const auto found = known_.find(family.key());
+  const auto found = known_.find(keyUpToNames(family, p_));
   return found != known_.end() ? found->second.value : leastCost(family, p_);
+}
+
+void ExpectedCost::allow(std::uint64_t work) {
+  if (known_.size() > kMostKnown) known_.clear();
+  work_left_ = work;
+  next_poll_ = work;
 }
 
 void ExpectedCost::spend(std::uint64_t work) {
   if (work_left_ < work) throw OutOfWork();
   work_left_ -= work;
+  if (!poll_ || work_left_ > next_poll_) return;
+  next_poll_ = work_left_ - std::min(work_left_, kWorkBetweenPolls);
+  poll_();
 }
 
 }  // namespace goal_alignment::questions

@@ -5,19 +5,6 @@
 
 namespace goal_alignment::questions {
 
-namespace {
-
-/// Spreads a set over 64 bits (Steele, Lea & Flood, "Fast splittable pseudorandom number
-/// generators", OOPSLA 2014).
-std::uint64_t spread(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15U;
-  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
-  return x ^ (x >> 31U);
-}
-
-}  // namespace
-
 void addTo(FamilyKey& key, Bits set) {
   const std::uint64_t once = spread(set);
   key.low += once;

@@ -27,6 +27,15 @@ inline Bits withoutFirst(Bits bits) {
   return bits & (bits - 1);
 }
 
+/// Spreads a number over 64 bits, as if by chance (Steele, Lea & Flood, "Fast splittable
+/// pseudorandom number generators", OOPSLA 2014).
+inline std::uint64_t spread(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15U;
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
+  return x ^ (x >> 31U);
+}
+
 /// What makes two families the same one, up to a chance of 2^-100.
 struct FamilyKey {
   std::uint64_t low = 0;

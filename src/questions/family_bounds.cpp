@@ -19,24 +19,14 @@ struct SetCost {
 };
 
 SetCost costOf(Bits set, const Chances& p) {
-  boost::container::small_vector<double, 12> chance;
-  for (Bits left = set; left != 0; left = withoutFirst(left))
-    chance.push_back(p[firstBit(left)]);
-  std::sort(chance.begin(), chance.end());
   SetCost result;
-  for (const double each : chance) {
+  for (Bits left = set; left != 0; left = withoutFirst(left)) {
+    const std::size_t f = firstBit(left);
     result.cost += result.all;
-    result.all *= each;
-    result.inverse += 1 / each;
+    result.all *= p[f];
+    result.inverse += p.perYes(f);
   }
   return result;
-}
-
-double leastChance(Bits set, const Chances& p) {
-  double least = 1;
-  for (Bits left = set; left != 0; left = withoutFirst(left))
-    least = std::min(least, p[firstBit(left)]);
-  return least;
 }
 
 Bits inSeveral(const Family& family) {
@@ -49,11 +39,13 @@ Bits inSeveral(const Family& family) {
   return several;
 }
 
+/// The first, and those as likely.
 Bits leastLikely(Bits set, const Chances& p) {
-  const double least = leastChance(set, p);
+  const double least = p[firstBit(set)];
   Bits result = 0;
   for (Bits left = set; left != 0; left = withoutFirst(left)) {
-    if (p[firstBit(left)] <= least * (1 + kTolerance)) result |= bitOf(firstBit(left));
+    if (p[firstBit(left)] > least * (1 + kTolerance)) break;
+    result |= bitOf(firstBit(left));
   }
   return result;
 }
@@ -92,9 +84,9 @@ Bits firstOfCore(const Family& family, const Chances& p) {
   for (const Bits set : family) {
     if ((set & used & ~ignored) != 0) continue;
     used |= set;
-    rest += 1 / (1 - leastChance(set & ~ignored, p));
+    rest += p.perNo(firstBit(set & ~ignored));
   }
-  return 1 / (1 - p[firstBit(first)]) <= rest ? first : 0;
+  return p.perNo(firstBit(first)) <= rest ? first : 0;
 }
 
 /// Who stands beside a candidate.
@@ -128,6 +120,23 @@ struct Kinship {
 };
 
 }  // namespace
+
+Chances::Chances(const std::vector<double>& rising) {
+  for (std::size_t f = 0; f < rising.size(); ++f) {
+    const bool alike = f > 0 && rising[f] == rising[f - 1];
+    of_[f] = {rising[f], 1 / rising[f], 1 / (1 - rising[f]), alike ? of_[f - 1].first_alike : f};
+  }
+}
+
+bool Chances::anyAlike(Bits set) const {
+  std::size_t last = kMostBits;
+  for (Bits left = set; left != 0; left = withoutFirst(left)) {
+    const std::size_t first = firstAlike(firstBit(left));
+    if (first == last && first != kMostBits) return true;
+    last = first;
+  }
+  return false;
+}
 
 bool isDisjoint(const Family& family) {
   return inSeveral(family) == 0;
@@ -165,12 +174,14 @@ double leastCost(const Family& family, const Chances& p) {
     used |= set;
     ++disjoint;
     disjoint_no *= 1 - cost.all;
-    least_no += 1 / (1 - leastChance(set, p));
+    least_no += p.perNo(firstBit(set));
   }
   const double yes = 1 - disjoint_no;  // P(yes), from below
-  const double by_size = disjoint >= smallest ? smallest + no * (disjoint - smallest)
-                                              : disjoint + yes * (smallest - disjoint);
-  return std::max({by_size, yes > 0 ? yes * least_yes : 0, no > 0 ? no * least_no : 0});
+  double by_time = std::min(smallest, disjoint);
+  for (double t = smallest; t < disjoint; ++t)
+    by_time += std::max(no, 1 - t / least_yes);
+  if (disjoint < smallest) by_time += yes * (smallest - disjoint);
+  return std::max({by_time, yes > 0 ? yes * least_yes : 0, no > 0 ? no * least_no : 0});
 }
 
 Bits certainlyFirst(const Family& family, const Chances& p) {

@@ -2,14 +2,39 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 #include "family.h"
 
 /// What can be said of the best dialogue over a family without looking ahead. Everything here is
-/// proven for independent answers; `p` is the chance of a YES by candidate.
+/// proven for independent answers.
 namespace goal_alignment::questions {
 
-using Chances = std::array<double, kMostBits>;
+/// The chance of a YES by candidate. Bits are given by rising chance, so that the first of a set is
+/// its least likely member.
+class Chances {
+ public:
+  Chances() = default;
+  explicit Chances(const std::vector<double>& rising);
+  double operator[](std::size_t candidate) const { return of_[candidate].yes; }
+  /// 1/p and 1/(1−p).
+  double perYes(std::size_t candidate) const { return of_[candidate].per_yes; }
+  double perNo(std::size_t candidate) const { return of_[candidate].per_no; }
+  /// The first bit with the same chance.
+  std::size_t firstAlike(std::size_t candidate) const { return of_[candidate].first_alike; }
+  /// Whether two of these have the same chance.
+  bool anyAlike(Bits set) const;
+
+ private:
+  struct Chance {
+    double yes = 0;
+    double per_yes = 0;
+    double per_no = 0;
+    std::size_t first_alike = kMostBits;  // there is no such candidate
+  };
+  std::array<Chance, kMostBits> of_;
+};
 
 /// Nothing but sets that share no candidate: then the best dialogue is known.
 bool isDisjoint(const Family& family);
@@ -22,9 +47,11 @@ double disjointCost(const Family& family, const Chances& p);
 /// Give each YES a value a and each NO a value b so that a question brings 1 at most on average:
 /// p·a + (1−p)·b ≤ 1. A dialogue that ends with YES has then collected all of a set, one that ends
 /// with NO one member at least of each set, so that
-/// E[questions] ≥ P(yes)·min_S Σ_S a + P(no)·min_H Σ_H b. Taken at a = b = 1, a = 1/p and
-/// b = 1/(1−p), with P(no) ≥ Π_S (1 − P(S)) (Harris 1960) and hitting sets H bounded by disjoint
-/// sets.
+/// E[questions] ≥ P(yes)·min_S Σ_S a + P(no)·min_H Σ_H b. Taken at a = 1/p and at b = 1/(1−p), with
+/// P(no) ≥ Π_S (1 − P(S)) (Harris 1960) and hitting sets H bounded by disjoint sets.
+///
+/// Or: E[questions] = Σ_t P(more than t). Fewer than the disjoint sets don't end it with NO, fewer
+/// than the smallest set not with YES, and P(ends with YES by t) ≤ min(P(yes), t / min_S Σ_S 1/p).
 double leastCost(const Family& family, const Chances& p);
 
 /// Candidates that some best dialogue asks first, each of them; none where no rule applies.

@@ -11,7 +11,7 @@
 namespace goal_alignment::questions {
 
 /// Values this close are one value: they are sums of the same products in another order.
-constexpr double kTolerance = 1e-9;
+constexpr double kTolerance = 1e-11;
 
 /// The live conflict with the candidate in it that has the fewest open candidates, proven ones
 /// first: the shortest reason for asking.

@@ -1,47 +1,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimal_policy.h"
 
-#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "outcome_entropy.h"
 
 namespace goal_alignment::questions {
+
+namespace {
+
+/// From here on the doubt about the outcome guides better than P/E: on random families of 30
+/// candidates, each wanted with a chance of 0.02 to 0.22, by 4 % fewer questions; below, both ask
+/// the same number or P/E fewer (benchmark/questions_benchmark.cpp).
+constexpr double kLikely = 0.3;
+
+}  // namespace
 
 std::optional<Choice> OptimalPolicy::next(const Situation& situation) {
   const std::vector<LiveConflict> live = liveConflicts(situation);
   if (live.empty()) return std::nullopt;
   if (!giveBits(live, situation)) return ratio_.next(situation);
-  const std::optional<Bits> first = cost_->bestFirst(familyOf(live), work_);
-  if (!first) return ratio_.next(situation);
+  const Family family = familyOf(live);
+  const Bits first = cost_->bestFirst(family, work_).value_or(0);
+  if (first != 0) return choiceOf(first, situation);
+  if (chanceOfNo(family, cost_->chances()) < kLikely) return ratio_.next(situation);
+  const Bits informative = leavingLeastDoubt(family, cost_->chances());
+  return informative != 0 ? choiceOf(informative, situation) : ratio_.next(situation);
+}
+
+Choice OptimalPolicy::choiceOf(Bits bits, const Situation& situation) {
   std::vector<std::size_t> candidates;
-  for (Bits left = *first; left != 0; left = withoutFirst(left))
+  for (Bits left = bits; left != 0; left = withoutFirst(left))
     candidates.push_back(candidate_of_[firstBit(left)]);
   return anyOf(candidates, situation, random_);
 }
 
-/// False where there are more candidates than bits. Begins anew where the bits are used up or where
-/// a probability is another one.
+/// False where there are more candidates than bits. Begins anew where a candidate has no bit yet,
+/// or another probability than when it got it.
 bool OptimalPolicy::giveBits(const std::vector<LiveConflict>& live, const Situation& situation) {
-  std::map<std::size_t, std::size_t> wanted;
+  std::set<std::pair<double, std::size_t>> rising;
   bool fits = cost_.has_value();
   for (const LiveConflict& conflict : live) {
     for (const std::size_t f : conflict.open) {
+      rising.emplace(situation.probability[f], f);
       const auto known = bit_of_.find(f);
       fits = fits && known != bit_of_.end() &&
-             probability_of_[known->second] == situation.probability[f];
-      wanted.emplace(f, 0);
+             cost_->chances()[known->second] == situation.probability[f];
     }
   }
   if (fits) return true;
-  if (wanted.size() > kMostBits) return false;
-  Chances chances{};
+  if (rising.size() > kMostBits) return false;
   candidate_of_.clear();
-  for (auto& [f, bit] : wanted) {
-    bit = candidate_of_.size();
-    chances[bit] = situation.probability[f];
+  bit_of_.clear();
+  std::vector<double> chances;
+  for (const auto& [probability, f] : rising) {
+    bit_of_.emplace(f, candidate_of_.size());
     candidate_of_.push_back(f);
+    chances.push_back(probability);
   }
-  probability_of_.assign(chances.begin(), chances.end());
-  bit_of_ = std::move(wanted);
-  cost_.emplace(chances);
+  cost_.emplace(Chances(chances), poll_);
   return true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -15,29 +16,31 @@
 namespace goal_alignment::questions {
 
 /// Asks so that the expected number of questions is least, where that can be computed within the
-/// work allowed for one decision; otherwise as RatioPolicy does. Work is counted, not timed, so
-/// that a seed replays.
+/// work allowed for one decision and at most 64 candidates matter. Otherwise as RatioPolicy does
+/// or, where everything not wanted is likely to hit all conflicts, what leaves least doubt about
+/// that. Work is counted, not timed, so that a seed replays.
 class OptimalPolicy : public Policy {
  public:
-  /// Some ten seconds.
-  static constexpr std::uint64_t kWork = 10'000'000'000;
+  /// About a second.
+  static constexpr std::uint64_t kWork = 100'000'000;
 
   explicit OptimalPolicy(const Setting& setting, std::uint64_t work = kWork)
-      : work_(work), random_(setting.seed), ratio_(setting) {}
+      : work_(work), poll_(setting.poll), random_(setting.seed), ratio_(setting) {}
   std::optional<Choice> next(const Situation& situation) override;
   bool usesConflicts() const override { return true; }
 
  private:
   bool giveBits(const std::vector<LiveConflict>& live, const Situation& situation);
   Family familyOf(const std::vector<LiveConflict>& live) const;
+  Choice choiceOf(Bits bits, const Situation& situation);
 
   std::uint64_t work_;
+  std::function<void()> poll_;
   RandomSource random_;
   RatioPolicy ratio_;
   // Each candidate that was ever open in a live conflict keeps its bit, so that what is remembered
   // stays true when conflicts are hit or found.
   std::vector<std::size_t> candidate_of_;
-  std::vector<double> probability_of_;
   std::map<std::size_t, std::size_t> bit_of_;
   std::optional<ExpectedCost> cost_;
 };

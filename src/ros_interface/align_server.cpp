@@ -39,6 +39,11 @@ void AlignServer::endGoals() {
   if (solver_.joinable()) solver_.join();
 }
 
+void AlignServer::nudge() {
+  { const std::lock_guard<std::mutex> lock(mutex_); }  // so that no wait begins in between
+  changed_.notify_all();
+}
+
 void AlignServer::submit(const AlignGoal& goal, const std::string& origin) {
   unsigned number = 0;
   {
@@ -94,9 +99,13 @@ void AlignServer::work() {
     Ticket ticket;
     {
       std::unique_lock<std::mutex> lock(mutex_);
-      changed_.wait(lock, [this] { return stop_ || next_; });
+      changed_.wait(lock, [this] { return stop_ || next_ || runner_.isAskedToSuppose(); });
       if (stop_) return;
       ticket = current_ = std::exchange(next_, nullptr);
+    }
+    if (!ticket) {
+      runner_.answerSupposition();
+      continue;
     }
     runner_.run(*ticket);
     const std::lock_guard<std::mutex> lock(mutex_);

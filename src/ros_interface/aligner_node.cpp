@@ -51,6 +51,7 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
       journal_(stateFolder() + "/journal",
                [](const std::string& line) { ROS_WARN("%s", line.c_str()); }),
       diagnostics_(node, private_node, announcer_, journal_),
+      explainer_([this] { nudgeSolver(); }),
       bridge_(questionIds()),
       ask_human_(
           node, [this](const Answer::Request& request) { return submit(request); },
@@ -73,6 +74,12 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
   checkParameters();
   validate_spinner_.start();
   explain_spinner_.start();
+}
+
+// It waits for an answer, or for a goal, or is at work and looks later.
+void AlignerNode::nudgeSolver() {
+  bridge_.nudge();
+  align_.nudge();
 }
 
 // A faulty parameter is told at the start, though only the next goal would be refused for it.

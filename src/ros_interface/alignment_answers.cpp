@@ -34,8 +34,9 @@ const char* wordFor(AnswerKind kind) {
   return "";
 }
 
-// The answer that stands, where there is one.
+// The answer that stands, where somebody gave one.
 std::optional<AnswerKind> answerOf(const CandidateView& candidate) {
+  if (candidate.assumed) return std::nullopt;
   switch (candidate.state) {
     case CandidateState::Wanted:
       return AnswerKind::Yes;
@@ -46,6 +47,33 @@ std::optional<AnswerKind> answerOf(const CandidateView& candidate) {
     default:
       return std::nullopt;
   }
+}
+
+bool isAsked(const session::Snapshot& snapshot, const Literal& fluent) {
+  return std::any_of(
+      snapshot.candidates.begin(), snapshot.candidates.end(), [&](const CandidateView& candidate) {
+        return candidate.fluent == fluent && candidate.state == CandidateState::Asked;
+      });
+}
+
+// Without what of the group was answered. The prospects are those of the whole, so that then
+// nothing can be said of them.
+session::QuestionView stillAsked(const session::QuestionView& view, const session::Snapshot& now) {
+  session::QuestionView rest = view;
+  rest.fluents.clear();
+  rest.reasons.clear();
+  rest.probabilities.clear();
+  for (std::size_t i = 0; i < view.fluents.size(); ++i) {
+    if (!isAsked(now, view.fluents[i])) continue;
+    rest.fluents.push_back(view.fluents[i]);
+    rest.reasons.push_back(view.reasons[i]);
+    rest.probabilities.push_back(view.probabilities[i]);
+  }
+  if (rest.fluents.size() == view.fluents.size()) return view;
+  rest.if_yes = {};
+  rest.if_yes.ending = questions::Prospect::Ending::Plan;
+  rest.if_no = {};
+  return rest;
 }
 
 }  // namespace
@@ -96,6 +124,8 @@ void AlignmentRunner::applyAnswers() {
     // A dialogue that was declined is over; what came after must not begin it anew.
     if (kept_.session->state() == State::Done) return;
   }
+  // What was volunteered or revised may have made the open question needless.
+  if (kept_.session->state() != State::AwaitingAnswer) closeQuestion();
 }
 
 void AlignmentRunner::apply(const AcceptedAnswer& answer) {
@@ -155,10 +185,14 @@ void AlignmentRunner::waitForAnswer(GoalTicket& ticket, const session::Snapshot&
   const session::QuestionView& view = *kept_.session->question();
   // A new world may give an old question a new reason.
   const bool same = open_.question_id != 0 && bridge_.openId() == open_.question_id &&
-                    open_fluents_ == std::set<Literal>(view.fluents.begin(), view.fluents.end()) &&
-                    open_.why == kept_.phrases.reason(view.conflict, view.conflict_proven);
+                    open_view_.fluents == view.fluents &&
+                    toMessage(open_view_, kept_.phrases).why == toMessage(view, kept_.phrases).why;
   const auto began = Clock::now();
-  if (!same) openQuestion(ticket, now);
+  if (same) {
+    narrowQuestion(ticket, now);
+  } else {
+    openQuestion(ticket, now);
+  }
   const QuestionBridge::Wake wake = bridge_.wait(open_until_);
   const std::chrono::duration<double> waited = Clock::now() - began;
   kept_.waiting_time += waited.count();
@@ -183,19 +217,28 @@ void AlignmentRunner::treatSilence() {
 
 void AlignmentRunner::openQuestion(GoalTicket& ticket, const session::Snapshot& now) {
   const session::QuestionView& view = *kept_.session->question();
-  open_ = toMessage(view, kept_.phrases);
-  open_fluents_ = {view.fluents.begin(), view.fluents.end()};
+  open_ = toMessage(stillAsked(view, now), kept_.phrases);
+  open_view_ = view;
   open_.session_id = kept_.id;
   open_.person = kept_.person;
   open_.question_id = bridge_.open(view.fluents);
+  beginPatience();
+  // First of all the result that a cancel would take: it may come as soon as the question is seen.
+  report(ticket, now, open_.text);
+  putQuestion(ticket, now);
+}
+
+// Also after an answer in part: who answers is there.
+void AlignmentRunner::beginPatience() {
   open_until_ = Clock::time_point::max();
   if (kept_.options.ask_timeout > 0) {
     const std::chrono::duration<double> timeout(kept_.options.ask_timeout);
     open_until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
     open_.expires = stampNow() + ros::Duration(kept_.options.ask_timeout);
   }
-  // First of all the result that a cancel would take: it may come as soon as the question is seen.
-  report(ticket, now, open_.text);
+}
+
+void AlignmentRunner::putQuestion(GoalTicket& ticket, const session::Snapshot& now) {
   open_ = announcer_.publish(open_);
   announcer_.tell(fmt::format("question {}: {}{}{}", open_.question_id, open_.text,
                               open_.why.empty() ? "" : " ", open_.why));
@@ -203,11 +246,25 @@ void AlignmentRunner::openQuestion(GoalTicket& ticket, const session::Snapshot& 
   ask_human_.ask(open_);
 }
 
+// What of a group was answered is shown no longer. It stays the same question, with the same id.
+void AlignmentRunner::narrowQuestion(GoalTicket& ticket, const session::Snapshot& now) {
+  const session::QuestionView rest = stillAsked(open_view_, now);
+  if (rest.fluents.empty() || rest.fluents.size() == open_.fluents.size()) return;
+  const Question shown = toMessage(rest, kept_.phrases);
+  open_.fluents = shown.fluents;
+  open_.text = shown.text;
+  open_.why = shown.why;
+  open_.conflict = shown.conflict;
+  open_.probabilities = shown.probabilities;
+  beginPatience();
+  putQuestion(ticket, now);
+}
+
 void AlignmentRunner::closeQuestion() {
   bridge_.close();
   if (open_.question_id == 0) return;
   open_ = Question{};
-  open_fluents_.clear();
+  open_view_ = {};
   ask_human_.withdraw();
   announcer_.publishNoQuestion();
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "goal_alignment/ros_interface/alignment_runner.h"
+#include "goal_alignment/ros_interface/node_constants.h"
 
 namespace goal_alignment::ros_interface {
 
@@ -16,6 +17,8 @@ void AlignmentRunner::report(GoalTicket& ticket, const session::Snapshot& now,
   }
   kept_.told_break = plan_break;
 
+  // First of all, for who sees the state may cancel at once, and then this is the result.
+  ticket.setInterim(figures(now));
   const AlignmentState state = stateMessage(now, message);
   announcer_.publish(state);
   AlignFeedback feedback;
@@ -25,18 +28,45 @@ void AlignmentRunner::report(GoalTicket& ticket, const session::Snapshot& now,
   feedback.questions_asked = state.questions_asked;
   feedback.max_remaining = state.max_remaining;
   ticket.publishFeedback(feedback);
-  ticket.setInterim(figures(now));
 }
 
 void AlignmentRunner::showToExplainer(const session::Snapshot& now) {
   Explained explained;
   explained.snapshot = now;
-  if (const auto& question = kept_.session->question()) explained.open_question = question->fluents;
-  if (now.state == session::State::Done) {
-    explained.outcome_conflict = kept_.session->outcome().conflict;
+  if (const auto& question = kept_.session->question()) {
+    explained.open_question = question->fluents;
+    explained.open_why = toMessage(*question, kept_.phrases).why;
+    for (const session::Reason& reason : question->reasons)
+      explained.open_conflicts.push_back(reason.conflict);
   }
+  if (now.state == session::State::Done) {
+    const session::Outcome& outcome = kept_.session->outcome();
+    explained.outcome = outcome.code;
+    explained.outcome_conflict = outcome.conflict;
+    explained.plan = outcome.plan.steps;
+  }
+  explained.human_plan = kept_.human_plan;
+  explained.human_plan_break = kept_.session->humanPlanInRobotModel();
   explained.phrases = kept_.phrases;
   explainer_.show(std::move(explained));
+}
+
+void AlignmentRunner::answerSupposition() {
+  explainer_.suppositions().answerOne(
+      [this](const std::vector<Literal>& fluents) { return suppose(fluents); });
+}
+
+Explain::Response AlignmentRunner::suppose(const std::vector<Literal>& fluents) {
+  const session::Snapshot now = kept_.session->snapshot();
+  const Supposition supposed = supposition(fluents, now);
+  if (!supposed.refusal.empty()) {
+    Explain::Response response;
+    response.text = supposed.refusal;
+    return response;
+  }
+  const session::Consequence consequence =
+      kept_.session->whatIf(supposed.wanted, supposed.not_wanted, kSupposeSeconds);
+  return explainConsequence(supposed, consequence, kept_.session->snapshot(), kept_.phrases);
 }
 
 AlignmentState AlignmentRunner::stateMessage(const session::Snapshot& now,

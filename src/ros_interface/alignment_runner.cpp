@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "goal_alignment/ros_interface/model_source.h"
+#include "goal_alignment/ros_interface/outcome_text.h"
 #include "goal_alignment/ros_interface/stamp.h"
 
 namespace goal_alignment::ros_interface {
@@ -121,8 +122,9 @@ void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
   auto session = std::make_shared<session::Session>(optionsOf(goal, options));
   session::Input input = inputOf(goal, options);
   const std::string key = journalKey(input, goal.task.person);
-  session->begin(std::move(input));
   Kept kept;
+  kept.human_plan = input.human_plan;
+  session->begin(std::move(input));
   kept.id = boost::uuids::to_string(boost::uuids::random_generator()());
   kept.person = goal.task.person;
   kept.task_id = goal.task.task_id;
@@ -180,6 +182,9 @@ void AlignmentRunner::loop(GoalTicket& ticket) {
     if (now.state == State::Done && hasEnded()) break;
     if (now.state == State::AwaitingAnswer) {
       waitForAnswer(ticket, now);
+      // One at a time: an answer or a cancel may have come meanwhile.
+      if (kept_.session->state() == State::AwaitingAnswer) answerSupposition();
+      if (isAskedToSuppose()) bridge_.nudge();
     } else {
       report(ticket, now, "");
     }
@@ -205,6 +210,21 @@ void AlignmentRunner::takeUpModels() {
   kept_.models_known = true;
   facts_.setModel(*kept_.session->robotModel());
   takeUpJournal();
+  const session::Snapshot now = kept_.session->snapshot();
+  for (const auto* hidden :
+       {&kept_.options.session.hidden_wanted, &kept_.options.session.hidden_not_wanted}) {
+    for (const std::string& name : *hidden)
+      warnIfNobodyIs(name, now);
+  }
+}
+
+// Its name may be a slip.
+void AlignmentRunner::warnIfNobodyIs(const std::string& hidden, const session::Snapshot& now) {
+  const bool known = std::any_of(
+      now.candidates.begin(), now.candidates.end(),
+      [&](const session::CandidateView& view) { return view.fluent.atom.name == hidden; });
+  if (known) return;
+  announcer_.tell(fmt::format("no candidate has the hidden predicate {}", hidden));
 }
 
 void AlignmentRunner::takeUpFacts() {
@@ -257,7 +277,7 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
   AlignResult result = figures(last);
   const AlignResult said = toMessage(outcome, kept_.phrases);
   result.outcome = said.outcome;
-  result.message = said.message;
+  result.message = spokenOutcome(outcome, last, kept_.phrases);
   result.conflict = said.conflict;
   result.alternatives = said.alternatives;
   result.failing_step = said.failing_step;
@@ -269,7 +289,7 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
   }
   if (isDecided(outcome.code)) journal_.drop();
   showToExplainer(last);
-  AlignmentState state = stateMessage(last, outcome.message);
+  AlignmentState state = stateMessage(last, result.message);
   state.phase = AlignmentState::DONE;
   state.outcome = result.outcome;
   announcer_.publish(state);

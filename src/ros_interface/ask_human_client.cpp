@@ -113,9 +113,11 @@ void AskHumanClient::Shared::treat(const Question& asked, const AskHuman::Respon
                          receipt.message));
     return;
   }
-  // Answered in part: the others of the group are asked about anew when the question changes.
+  // Answered in part, it is asked once more, by then without what was answered.
+  const bool in_part = !response.fluents.empty() && (response.answer == AskHuman::Response::NO ||
+                                                     response.answer == AskHuman::Response::UNSURE);
   const std::lock_guard<std::mutex> lock(mutex);
-  if (stillOpen(asked)) question.reset();
+  if (!in_part && stillOpen(asked)) question.reset();
 }
 
 void AskHumanClient::Shared::pause(const Question& asked) {

@@ -6,9 +6,7 @@
 #include <ros/init.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <ostream>
-#include <sstream>
 #include <utility>
 
 #include "descriptor.h"
@@ -19,30 +17,12 @@ namespace goal_alignment::ros_interface {
 namespace {
 
 constexpr std::chrono::milliseconds kShutdownCheck{50};
-constexpr const char* kKeys = "y = yes, n = no, ? = don't know, d = no more questions";
 
 std::string trimmed(const std::string& line) {
   constexpr const char* kBlanks = " \t\r";
   const std::size_t begin = line.find_first_not_of(kBlanks);
   if (begin == std::string::npos) return {};
   return line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1);
-}
-
-bool isOneOf(const std::string& word, std::initializer_list<const char*> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-// "1 3" or "1,3"; nothing where there is anything else, or a number out of range.
-std::optional<std::vector<std::size_t>> parseNumbers(std::string text, std::size_t count) {
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::istringstream in(text);
-  std::vector<std::size_t> indices;
-  for (std::size_t number = 0; in >> number;) {
-    if (number < 1 || number > count) return std::nullopt;
-    indices.push_back(number - 1);
-  }
-  if (!in.eof() || indices.empty()) return std::nullopt;
-  return indices;
 }
 
 std::string wordingOf(const Question& question) {
@@ -54,27 +34,27 @@ std::string wordingOf(const Question& question) {
     text += fmt::format("  {}: {}\n", i + 1, question.fluents[i].text);
   }
   if (!question.why.empty()) text += fmt::format("  Why I ask: {}\n", question.why);
-  text += fmt::format("  {}{}\n", kKeys,
-                      question.fluents.size() > 1 ? ", or the numbers of those that matter" : "");
-  return text;
+  return text + fmt::format("  {}\n", phrasing::replyKeys(question.fluents.size()));
+}
+
+// Without a reply the question is left as it is.
+AskHuman::Response responseTo(const Question& question,
+                              const std::optional<phrasing::Reply>& reply) {
+  AskHuman::Response response;
+  response.answer =
+      reply ? static_cast<std::int8_t>(reply->kind) : std::int8_t{AskHuman::Response::NONE};
+  response.question_id = question.question_id;
+  response.answered_by = question.person.empty() ? "console" : question.person;
+  if (!reply) return response;
+  for (const std::size_t index : reply->chosen) {
+    const Fluent& fluent = question.fluents.at(index);
+    response.fluents.push_back(
+        Literal{GroundName{fluent.name, fluent.args}, fluent.negated != 0}.text());
+  }
+  return response;
 }
 
 }  // namespace
-
-std::optional<Reply> parseReply(const std::string& line, std::size_t fluents) {
-  const std::string word = toLower(trimmed(line));
-  using Response = AskHuman::Response;
-  if (isOneOf(word, {"y", "yes"})) return Reply{Response::YES, {}};
-  if (isOneOf(word, {"n", "no"})) return Reply{Response::NO, {}};
-  if (isOneOf(word, {"?", "u", "unsure", "don't know", "dont know", "i don't know"})) {
-    return Reply{Response::UNSURE, {}};
-  }
-  if (isOneOf(word, {"d", "decline"})) return Reply{Response::DECLINE, {}};
-  if (fluents > 1) {
-    if (auto numbers = parseNumbers(word, fluents)) return Reply{Response::YES, *numbers};
-  }
-  return std::nullopt;
-}
 
 ConsoleDialogue::WakePipe::WakePipe() {
   if (pipe2(ends.data(), O_NONBLOCK | O_CLOEXEC) != 0) failWithErrno("pipe");
@@ -105,20 +85,13 @@ bool ConsoleDialogue::ask(AskHuman::Request& request, AskHuman::Response& respon
   std::unique_lock<std::mutex> lock(mutex_);
   question_ = request.question;
   reply_.reset();
+  finished_ = false;
   wake();
-  while (!reply_ && !ended_ && ros::ok())
+  while (!finished_ && !ended_ && ros::ok())
     answered_.wait_for(lock, kShutdownCheck);
 
-  const Reply reply = reply_.value_or(Reply{});
   question_.reset();
-  response.answer = reply.answer;
-  response.question_id = request.question.question_id;
-  response.answered_by = request.question.person.empty() ? "console" : request.question.person;
-  for (const std::size_t index : reply.chosen) {
-    const Fluent& fluent = request.question.fluents.at(index);
-    response.fluents.push_back(
-        Literal{GroundName{fluent.name, fluent.args}, fluent.negated != 0}.text());
-  }
+  response = responseTo(request.question, reply_);
   return true;
 }
 
@@ -139,7 +112,7 @@ void ConsoleDialogue::run() {
 
 void ConsoleDialogue::showNewQuestion() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!question_ || reply_ || question_->question_id == shown_id_) return;
+  if (!question_ || finished_ || question_->question_id == shown_id_) return;
   shown_id_ = question_->question_id;
   shown_at_ = Clock::now();
   out_ << wordingOf(*question_) << "> " << std::flush;
@@ -151,7 +124,7 @@ void ConsoleDialogue::leaveQuestionIfGone() {
     if (shown_id_ == 0 || !question_ || !watch_.isGone(*question_)) return;
   }
   out_ << "\nThis question is no longer open." << std::endl;
-  finish(Reply{});
+  finish(std::nullopt);
   replaced_another_ = true;
 }
 
@@ -165,14 +138,15 @@ void ConsoleDialogue::treatLine(const std::string& line) {
     const std::lock_guard<std::mutex> lock(mutex_);
     fluents = question_ ? question_->fluents.size() : 0;
   }
-  const auto reply = parseReply(line, fluents);
+  const auto reply = phrasing::parseReply(line, fluents);
   if (!reply) {
-    out_ << fmt::format("I did not understand '{:.40}'. {}\n> ", trimmed(line), kKeys)
+    out_ << fmt::format("I did not understand '{:.40}'. {}\n> ", trimmed(line),
+                        phrasing::replyKeys(fluents))
          << std::flush;
   } else if (cameTooEarly()) {
     out_ << "This question has just replaced the one before; please read it.\n> " << std::flush;
   } else {
-    finish(*reply);
+    finish(reply);
     replaced_another_ = false;
   }
 }
@@ -183,11 +157,12 @@ bool ConsoleDialogue::cameTooEarly() const {
   return lines_.isTerminal() && replaced_another_ && since.count() < kAnswerGraceSeconds;
 }
 
-void ConsoleDialogue::finish(const Reply& reply) {
+void ConsoleDialogue::finish(const std::optional<phrasing::Reply>& reply) {
   shown_id_ = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     reply_ = reply;
+    finished_ = true;
   }
   answered_.notify_all();
 }

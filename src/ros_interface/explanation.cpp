@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
-#include <stdexcept>
-#include <utility>
 
-#include "goal_alignment/ros_interface/message_conversion.h"
+#include "speaker.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
@@ -17,35 +14,39 @@ using session::CandidateState;
 using session::CandidateView;
 using session::ConflictView;
 
-bool contains(const std::vector<Literal>& fluents, const Literal& fluent) {
-  return std::find(fluents.begin(), fluents.end(), fluent) != fluents.end();
-}
-
-// Speaks of one task, sentence after sentence.
-class Speaker {
+class WhySpeaker : public Speaker {
  public:
-  explicit Speaker(const Explained& explained) : explained_(explained) { response_.known = true; }
+  explicit WhySpeaker(const Explained& explained) : Speaker(explained) {}
 
   void speakOf(const Literal& fluent) {
-    const auto& snapshot = explained_.snapshot;
-    const auto candidate =
-        std::find_if(snapshot.candidates.begin(), snapshot.candidates.end(),
-                     [&](const CandidateView& view) { return view.fluent == fluent; });
-    if (contains(snapshot.specified, fluent)) {
+    if (contains(snapshot().specified, fluent)) {
       say(fmt::format("You asked that {}.", clause(fluent)));
-    } else if (candidate != snapshot.candidates.end()) {
+    } else if (const CandidateView* candidate = candidateOf(fluent)) {
       speakOf(*candidate);
-    } else if (snapshot.candidates.empty() && snapshot.specified.empty()) {
-      admitIgnorance();  // the models are not read yet
+    } else if (!modelsAreRead()) {
+      admitIgnorance();
     } else {
       say(fmt::format("Nothing depends on whether {}: you don't expect it.", clause(fluent)));
+    }
+  }
+
+  // As it was told with the question.
+  void speakOfOpenQuestion() {
+    say(explained_.open_why);
+    for (const ConflictView& conflict : snapshot().conflicts) {
+      const auto rests = [&](const std::vector<Literal>& reason) {
+        return std::is_permutation(reason.begin(), reason.end(), conflict.fluents.begin(),
+                                   conflict.fluents.end());
+      };
+      const auto& reasons = explained_.open_conflicts;
+      if (std::any_of(reasons.begin(), reasons.end(), rests)) note(conflict);
     }
   }
 
   // What the outcome rests on; where there is none, why nothing is asked.
   void speakOfOutcome() {
     const std::vector<Literal>& fluents = explained_.outcome_conflict;
-    const auto& conflicts = explained_.snapshot.conflicts;
+    const auto& conflicts = snapshot().conflicts;
     const auto conflict =
         std::find_if(conflicts.begin(), conflicts.end(), [&](const ConflictView& view) {
           return std::is_permutation(view.fluents.begin(), view.fluents.end(), fluents.begin(),
@@ -53,31 +54,18 @@ class Speaker {
         });
     if (!fluents.empty() && conflict != conflicts.end()) {
       restOn(*conflict);
-    } else if (explained_.snapshot.state == session::State::Done) {
+    } else if (hasEnded()) {
       say("No question is open.");
     } else {
       admitIgnorance();
     }
   }
 
-  const Explain::Response& response() const { return response_; }
-
  private:
-  std::string clause(const Literal& fluent) const { return explained_.phrases.clause(fluent); }
-
-  void say(const std::string& sentence) {
-    response_.text += (response_.text.empty() ? "" : " ") + sentence;
-  }
-
-  void admitIgnorance() {
-    response_.known = false;
-    say("Not known yet.");
-  }
-
   void speakOf(const CandidateView& candidate) {
     const bool answered = speakOfAnswer(candidate);
     bool any = false;
-    for (const ConflictView& conflict : explained_.snapshot.conflicts) {
+    for (const ConflictView& conflict : snapshot().conflicts) {
       // One that a NO to something else has settled is no reason any more.
       const bool counts = conflict.live || candidate.state == CandidateState::NotWanted;
       if (!counts || !contains(conflict.fluents, candidate.fluent)) continue;
@@ -85,48 +73,117 @@ class Speaker {
       any = true;
     }
     if (any || answered) return;
-    if (candidate.state == CandidateState::Settled || explained_.snapshot.conflicts_complete) {
+    if (candidate.state == CandidateState::Settled || snapshot().conflicts_complete) {
       say(fmt::format("Whether it matters that {} can't change what I do.",
                       clause(candidate.fluent)));
     } else {
       admitIgnorance();
     }
   }
+};
 
-  bool speakOfAnswer(const CandidateView& candidate) {
-    const std::string who = candidate.answered_by.empty() ? "" : " by " + candidate.answered_by;
-    const std::string what = clause(candidate.fluent);
-    switch (candidate.state) {
-      case CandidateState::Wanted:
-        say(fmt::format("It matters that {}: answered yes{}.", what, who));
-        return true;
-      case CandidateState::NotWanted:
-        say(fmt::format("It does not matter that {}: answered no{}.", what, who));
-        return true;
-      case CandidateState::Unsure:
-        say(fmt::format("Whether it matters that {} was answered with \"don't know\"{}.", what,
-                        who));
-        return true;
-      default:
-        return false;
+class WhyNotSpeaker : public Speaker {
+ public:
+  explicit WhyNotSpeaker(const Explained& explained) : Speaker(explained) {}
+
+  void speakOf(const Literal& fluent) {
+    if (contains(snapshot().specified, fluent)) {
+      say(fmt::format("I need not ask whether it matters that {}: you asked for it.",
+                      clause(fluent)));
+    } else if (const CandidateView* candidate = candidateOf(fluent)) {
+      speakOf(*candidate);
+    } else if (!modelsAreRead()) {
+      admitIgnorance();
+    } else {
+      say(fmt::format(
+          "I don't ask whether it matters that {}: you don't expect it, so nothing depends on it.",
+          clause(fluent)));
     }
   }
 
-  void restOn(const ConflictView& conflict) {
-    if (!said_.insert(&conflict).second) return;
-    say(explained_.phrases.reason(conflict.fluents, conflict.proven));
-    response_.conflicts.push_back(toMessage(conflict, explained_.phrases));
+  // Why the robot does not simply do as the person would.
+  void speakOfHumanPlan() {
+    const std::vector<GroundName>& plan = explained_.human_plan;
+    if (!modelsAreRead()) {
+      admitIgnorance();
+    } else if (plan.empty()) {
+      say("You gave me no plan to follow.");
+    } else if (!explained_.human_plan_break.empty()) {
+      say("Your plan does not work for me: " + explained_.human_plan_break + ".");
+    } else if (!snapshot().robot_known) {
+      admitIgnorance();
+    } else if (!planIsFound()) {
+      say("Each step of your plan works for me. Whether I follow it depends on what else matters.");
+    } else if (explained_.plan == plan) {
+      say("I do follow your plan.");
+    } else {
+      say(
+          fmt::format("Each step of your plan works for me. I took another plan, of {} steps, for "
+                      "what it keeps or costs.",
+                      explained_.plan.size()));
+    }
   }
 
-  const Explained& explained_;
-  Explain::Response response_;
-  std::set<const ConflictView*> said_;
+ private:
+  bool planIsFound() const { return explained_.outcome == session::OutcomeCode::Success; }
+
+  void speakOf(const CandidateView& candidate) {
+    if (candidate.state == CandidateState::Asked) {
+      say(fmt::format("I do ask whether it matters that {}.", clause(candidate.fluent)));
+      restOnThoseOf(candidate, true);
+    } else if (speakOfAnswer(candidate)) {
+      restOnThoseOf(candidate, candidate.state != CandidateState::NotWanted);
+    } else {
+      speakOfUnasked(candidate);
+    }
+    const bool kept = planIsFound() && candidate.state != CandidateState::NotWanted;
+    if (kept) say("My plan keeps it so.");
+  }
+
+  void speakOfUnasked(const CandidateView& candidate) {
+    const std::string what = clause(candidate.fluent);
+    if (!candidate.conflicts.empty()) {
+      say(hasEnded()
+              ? fmt::format("The dialogue ended before I asked whether it matters that {}.", what)
+              : fmt::format("I did not ask yet whether it matters that {}.", what));
+      restOnThoseOf(candidate, true);
+    } else if (candidate.state != CandidateState::Settled && !snapshot().conflicts_complete) {
+      admitIgnorance();
+    } else if (isInConflict(candidate)) {
+      say(
+          fmt::format("I need not ask whether it matters that {}: what stood against it does not "
+                      "matter to you.",
+                      what));
+      restOnThoseOf(candidate, false);
+    } else {
+      say(fmt::format(
+          "I need not ask whether it matters that {}: the answer can't change what I do.", what));
+    }
+  }
+
+  bool isInConflict(const CandidateView& candidate) const {
+    const auto& conflicts = snapshot().conflicts;
+    return std::any_of(conflicts.begin(), conflicts.end(), [&](const ConflictView& conflict) {
+      return contains(conflict.fluents, candidate.fluent);
+    });
+  }
+
+  void restOnThoseOf(const CandidateView& candidate, bool live_only) {
+    for (const ConflictView& conflict : snapshot().conflicts) {
+      if (live_only && !conflict.live) continue;
+      if (contains(conflict.fluents, candidate.fluent)) restOn(conflict);
+    }
+  }
 };
 
 }  // namespace
 
 Explain::Response explainWhy(const Explained& explained, const std::vector<Literal>& fluents) {
-  Speaker speaker(explained);
+  WhySpeaker speaker(explained);
+  if (fluents.empty() && !explained.open_why.empty()) {
+    speaker.speakOfOpenQuestion();
+    return speaker.response();
+  }
   const std::vector<Literal>& about = fluents.empty() ? explained.open_question : fluents;
   for (const Literal& fluent : about)
     speaker.speakOf(fluent);
@@ -134,50 +191,12 @@ Explain::Response explainWhy(const Explained& explained, const std::vector<Liter
   return speaker.response();
 }
 
-void Explainer::show(Explained explained) {
-  auto shown = std::make_shared<const Explained>(std::move(explained));
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    explained_ = std::move(shown);
-  }
-  shown_.notify_all();
-}
-
-Explain::Response Explainer::explain(const Explain::Request& request,
-                                     std::chrono::duration<double> patience) const {
-  Explain::Response response;
-  if (request.kind != Explain::Request::WHY) {
-    const bool later =
-        request.kind == Explain::Request::WHY_NOT || request.kind == Explain::Request::WHAT_IF;
-    response.text = later ? "not supported yet: WHY alone is answered"
-                          : fmt::format(
-                                "{} is no kind of explanation: expected WHY=0, WHY_NOT=1 "
-                                "or WHAT_IF=2",
-                                int{request.kind});
-    return response;
-  }
-  std::vector<Literal> fluents;
-  try {
-    fluents = toLiterals(request.fluents);
-  } catch (const std::invalid_argument& error) {
-    response.text = error.what();
-    return response;
-  }
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(patience);
-  std::unique_lock<std::mutex> lock(mutex_);
-  while (true) {
-    const std::shared_ptr<const Explained> explained = explained_;
-    if (!explained) {
-      response.text = "No task was given yet.";
-      return response;
-    }
-    lock.unlock();  // the solver thread must not wait for our sentences
-    response = explainWhy(*explained, fluents);
-    lock.lock();
-    if (response.known) return response;
-    const auto news = [&] { return explained_ != explained; };
-    if (!shown_.wait_until(lock, deadline, news)) return response;
-  }
+Explain::Response explainWhyNot(const Explained& explained, const std::vector<Literal>& fluents) {
+  WhyNotSpeaker speaker(explained);
+  for (const Literal& fluent : fluents)
+    speaker.speakOf(fluent);
+  if (fluents.empty()) speaker.speakOfHumanPlan();
+  return speaker.response();
 }
 
 }  // namespace goal_alignment::ros_interface

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "goal_alignment/common/quote.h"
+#include "goal_alignment/ros_interface/node_constants.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
@@ -19,7 +20,7 @@ bool isNameCharacter(unsigned char c) {
 
 std::string nameOf(const std::string& text, const std::string& what) {
   if (text.empty()) throw std::invalid_argument(what + " is empty");
-  if (!std::all_of(text.begin(), text.end(), isNameCharacter)) {
+  if (!isName(text)) {
     throw std::invalid_argument(fmt::format("{} {} is no PDDL name", what, inQuotes(text)));
   }
   return toLower(text);
@@ -82,6 +83,10 @@ ActionDispatch toDispatch(const GroundName& step, const std::vector<std::string>
 
 }  // namespace
 
+bool isName(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), isNameCharacter);
+}
+
 Literal toLiteral(const Fluent& fluent) {
   return Literal{toGroundName(fluent.name, fluent.args), fluent.negated != 0};
 }
@@ -132,7 +137,7 @@ Candidate toMessage(const session::CandidateView& view, const phrasing::Phrases&
   message.achievable = view.achievable;
   for (const std::size_t index : view.conflicts)
     message.conflicts.push_back(toIndex(index));
-  message.answered_by = view.answered_by;
+  message.answered_by = view.assumed ? kAssumed : view.answered_by;
   const auto time = times.find(view.fluent);
   if (time != times.end()) message.answered_at = time->second;
   return message;
@@ -151,8 +156,11 @@ Question toMessage(const session::QuestionView& view, const phrasing::Phrases& p
   Question message;
   message.fluents = toMessage(view.fluents, phrases);
   message.text = phrases.question(view.fluents);
-  message.why = phrases.reason(view.conflict, view.conflict_proven);
-  message.conflict = toMessage(view.conflict, phrases);
+  message.why = phrases.why(view.reasons, view.if_yes, view.if_no, view.bound_is_provisional);
+  const auto reason =
+      std::find_if(view.reasons.begin(), view.reasons.end(),
+                   [](const session::Reason& each) { return !each.conflict.empty(); });
+  if (reason != view.reasons.end()) message.conflict = toMessage(reason->conflict, phrases);
   message.probabilities = view.probabilities;
   message.asked = toCount(view.asked);
   message.max_remaining = toCount(view.max_remaining);
@@ -213,6 +221,8 @@ Plan toMessage(const session::Session& session, std::int32_t plan_id,
   message.guaranteed = toMessage(plan.guaranteed, phrases);
   message.kept_unasked = toMessage(plan.kept_unasked, phrases);
   message.not_wanted = toMessage(plan.not_wanted, phrases);
+  message.assumed_not_wanted = toMessage(plan.assumed_not_wanted, phrases);
+  message.extra_cost = static_cast<double>(plan.extra_cost);
   message.cost = static_cast<double>(plan.cost);
   message.optimal = plan.optimal;
   return message;

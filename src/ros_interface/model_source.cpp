@@ -77,7 +77,8 @@ session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options) {
                                 int{goal.unsure_policy}));
   }
   result.unsure_policy = static_cast<session::UnsurePolicy>(goal.unsure_policy);
-  if (goal.negative_candidates) throw GoalError("not supported yet: negative_candidates");
+  if (goal.max_group_size > 0) result.max_group_size = goal.max_group_size;
+  result.negative_candidates = result.negative_candidates || goal.negative_candidates != 0;
   return result;
 }
 

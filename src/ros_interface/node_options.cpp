@@ -20,6 +20,9 @@ constexpr double kLongestTimeLimit = 86400;
 constexpr double kLongestExpiry = 31536000;  // a year
 constexpr int kMostRetries = 1000;
 constexpr int kMostThreads = 256;
+constexpr int kLargestGroup = 255;  // as Align's max_group_size can say
+constexpr double kNoLimit = -1;
+constexpr double kLargestCost = 1e9;
 
 void readBelief(ParameterReader& reader, alignment::BeliefOptions& belief) {
   std::string mode = "normalised";
@@ -48,6 +51,16 @@ void readBelief(ParameterReader& reader, alignment::BeliefOptions& belief) {
   reader.read("kappa", belief.kappa, 0.001, 1000);
 }
 
+void readHidden(ParameterReader& reader, session::Options& options) {
+  reader.read("hidden_wanted", options.hidden_wanted);
+  reader.read("hidden_not_wanted", options.hidden_not_wanted);
+  const auto& wanted = options.hidden_wanted;
+  for (const std::string& name : options.hidden_not_wanted) {
+    if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+    reader.refuse("hidden_not_wanted", "other names than hidden_wanted has, not '" + name + "'");
+  }
+}
+
 void readSession(ParameterReader& reader, session::Options& options) {
   const std::vector<std::string> policies = questions::policyNames();
   const auto usual = std::find(policies.begin(), policies.end(), options.policy);
@@ -71,6 +84,15 @@ void readSession(ParameterReader& reader, session::Options& options) {
   reader.read("memory_limit", mebibytes, 16, 1 << 20);
   options.memory_limit = static_cast<std::size_t>(mebibytes) * kMebibyte;
   reader.read("max_questions", options.max_questions, -1, kIntMax);
+  int group = 1;
+  reader.read("max_group_size", group, 1, kLargestGroup);
+  options.max_group_size = static_cast<std::size_t>(group);
+  reader.read("negative_candidates", options.negative_candidates);
+  readHidden(reader, options);
+  double extra_cost = kNoLimit;
+  reader.read("max_extra_cost", extra_cost, kNoLimit, kLargestCost);
+  if (extra_cost < 0 && extra_cost != kNoLimit) reader.refuse("max_extra_cost", "0 or more, or -1");
+  if (extra_cost >= 0) options.max_extra_cost = extra_cost;
 }
 
 }  // namespace

@@ -7,6 +7,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/quote.h"
+#include "goal_alignment/ros_interface/message_conversion.h"
+
 namespace goal_alignment::ros_interface {
 
 using XmlRpc::XmlRpcValue;
@@ -62,6 +66,21 @@ void ParameterReader::read(const std::string& key, int& value, int low, int high
   const int number = static_cast<int&>(*found);
   if (number < low || number > high) refuse(key, fmt::format("{}, not {}", expected, number));
   value = number;
+}
+
+void ParameterReader::read(const std::string& key, std::vector<std::string>& names) {
+  XmlRpcValue* found = find(key);
+  if (found == nullptr) return;
+  const std::string expected = "a list of names";
+  if (found->getType() != XmlRpcValue::TypeArray) refuse(key, expected);
+  names.clear();
+  for (int i = 0; i < found->size(); ++i) {
+    XmlRpcValue& entry = (*found)[i];
+    if (entry.getType() != XmlRpcValue::TypeString) refuse(key, expected);
+    const std::string name = static_cast<std::string&>(entry);
+    if (!isName(name)) refuse(key, fmt::format("{}, not {}", expected, inQuotes(name)));
+    names.push_back(toLower(name));
+  }
 }
 
 std::size_t ParameterReader::readChoice(const std::string& key,

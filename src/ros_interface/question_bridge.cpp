@@ -88,7 +88,9 @@ void QuestionBridge::update(const session::Snapshot& snapshot) {
   specified_ = {snapshot.specified.begin(), snapshot.specified.end()};
   candidates_.clear();
   for (const auto& candidate : snapshot.candidates) {
-    candidates_.emplace(candidate.fluent, candidate.state);
+    // What is assumed nobody has said: a first answer may still come.
+    const CandidateState state = candidate.assumed ? CandidateState::Settled : candidate.state;
+    candidates_.emplace(candidate.fluent, state);
   }
   // The session has not heard these yet, but their givers were told that they count.
   for (const AcceptedAnswer& answer : accepted_)
@@ -97,6 +99,7 @@ void QuestionBridge::update(const session::Snapshot& snapshot) {
 
 std::uint32_t QuestionBridge::open(const std::vector<Literal>& fluents) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  closeOpen(false);
   OpenQuestion question;
   question.id = ids_.next();
   question.fluents = {fluents.begin(), fluents.end()};
@@ -176,15 +179,31 @@ Receipt QuestionBridge::submit(const Answer::Request& request) {
   answer.kind = static_cast<AnswerKind>(request.answer);
   answer.answered_by = request.answered_by;
   answer.fluents = std::move(fluents);
-  if (open_ && (answer.fluents.empty() || request.question_id != 0)) {
-    answer.question_id = open_->id;
-  }
-  if (answer.fluents.empty() && open_) {
-    for (const Literal& fluent : open_->fluents) {
-      if (!isAnswered(candidates_[fluent])) answer.fluents.push_back(fluent);
+  if (open_ && (answer.fluents.empty() || request.question_id != 0)) answer.question_id = open_->id;
+  AcceptedAnswer rest = answer;
+  rest.kind = AnswerKind::No;
+  rest.fluents.clear();
+  if (open_ && answer.fluents.empty()) {
+    answer.fluents = unanswered();
+  } else if (request.question_id != 0 && answer.kind == AnswerKind::Yes) {
+    for (const Literal& fluent : unanswered()) {
+      const auto& named = answer.fluents;
+      if (std::find(named.begin(), named.end(), fluent) == named.end())
+        rest.fluents.push_back(fluent);
     }
   }
-  return accept(std::move(answer));
+  accept(std::move(answer));
+  if (!rest.fluents.empty()) accept(std::move(rest));
+  return {true, ""};
+}
+
+std::vector<Literal> QuestionBridge::unanswered() const {
+  std::vector<Literal> fluents;
+  for (const Literal& fluent : open_->fluents) {
+    const auto known = candidates_.find(fluent);
+    if (known == candidates_.end() || !isAnswered(known->second)) fluents.push_back(fluent);
+  }
+  return fluents;
 }
 
 QuestionBridge::Revision QuestionBridge::revise(const Answer::Request& request) {
@@ -204,7 +223,8 @@ QuestionBridge::Revision QuestionBridge::revise(const Answer::Request& request) 
   if (!why_not.empty()) return {{false, why_not}, ""};
   answer.kind = static_cast<AnswerKind>(request.answer);
   answer.answered_by = request.answered_by;
-  return {accept(std::move(answer)), under_way_ ? "" : session_id_};
+  accept(std::move(answer));
+  return {{true, ""}, under_way_ ? "" : session_id_};
 }
 
 std::string QuestionBridge::refusalOfQuestion(const Answer::Request& request) const {
@@ -253,11 +273,10 @@ std::string QuestionBridge::refusalOfFluent(const Literal& fluent, bool revising
   return {};
 }
 
-Receipt QuestionBridge::accept(AcceptedAnswer answer) {
+void QuestionBridge::accept(AcceptedAnswer answer) {
   count(answer);
   accepted_.push_back(std::move(answer));
   changed_.notify_all();
-  return {true, ""};
 }
 
 // An answer that leaves no fluent of the open question unanswered closes it for everyone else.
@@ -267,20 +286,7 @@ void QuestionBridge::count(const AcceptedAnswer& answer) {
     for (const Literal& fluent : answer.fluents)
       candidates_[fluent] = stateAfter(answer.kind);
   }
-  if (!open_) return;
-  const auto hit = [&](const Literal& fluent) { return open_->fluents.count(fluent) > 0; };
-  const bool chosen = answer.kind == AnswerKind::Yes &&
-                      std::any_of(answer.fluents.begin(), answer.fluents.end(), hit);
-  const bool all =
-      std::all_of(open_->fluents.begin(), open_->fluents.end(),
-                  [&](const Literal& fluent) { return isAnswered(candidates_[fluent]); });
-  if (!declines && !chosen && !all) return;
-  if (chosen) {
-    for (const Literal& fluent : open_->fluents) {
-      if (!isAnswered(candidates_[fluent])) candidates_[fluent] = CandidateState::NotWanted;
-    }
-  }
-  closeOpen(true);
+  if (open_ && (declines || unanswered().empty())) closeOpen(true);
 }
 
 std::uint32_t QuestionBridge::openId() const {

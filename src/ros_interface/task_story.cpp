@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "goal_alignment/phrasing/outcomes.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
 
 namespace goal_alignment::ros_interface {
@@ -65,7 +66,10 @@ void TaskStory::hear(const AlignFeedback& feedback) {
   if (question.question_id == 0 || question.question_id == last_id_) return;
   last_id_ = question.question_id;
   session_ = question.session_id;
-  questions_.push_back(question);
+  // Put again after silence it is the same question.
+  const bool again = !questions_.empty() && questions_.back().text == question.text &&
+                     questions_.back().why == question.why;
+  if (!again) questions_.push_back(question);
   tellDialogue();
 }
 
@@ -82,6 +86,7 @@ void TaskStory::hear(const AlignResult& result) {
   if (state_.session_id != session_) state_ = AlignmentState{};
   state_.session_id = session_;
   state_.candidates = result.candidates;
+  has_ended_ = true;
   tellDialogue();
   if (result.outcome == AlignResult::SUCCESS) {
     tellPlan(result.plan);
@@ -97,7 +102,8 @@ void TaskStory::tellDialogue() {
   while (!questions_.empty()) {
     if (!told_question_) tellQuestion(questions_.front());
     told_question_ = true;
-    if (!tellAnswer(questions_.front())) return;
+    if (!isOver(questions_.front())) return;
+    tellAnswer(questions_.front());
     questions_.pop_front();
     told_question_ = false;
   }
@@ -118,24 +124,50 @@ void TaskStory::tellQuestion(const Question& question) {
   out_ << std::flush;
 }
 
-// False while a fluent of the question is not answered.
-bool TaskStory::tellAnswer(const Question& question) {
-  std::vector<std::string> answers;
+// Answered, or taken back since other answers have made it needless.
+bool TaskStory::isOver(const Question& question) const {
+  const auto& fluents = question.fluents;
+  const auto answered = [this](const Fluent& fluent) { return answerTo(fluent) != nullptr; };
+  return has_ended_ || isLaterAsked() || std::all_of(fluents.begin(), fluents.end(), answered);
+}
+
+// The next question is open, as far as the state says, so the first of those known is not.
+bool TaskStory::isLaterAsked() const {
+  if (questions_.size() < 2) return false;
+  const auto is_asked = [this](const Fluent& fluent) {
+    const Candidate* candidate = candidateOf(fluent);
+    return candidate != nullptr && candidate->state == Candidate::ASKED;
+  };
+  const auto& now = questions_.front().fluents;
+  const auto& next = questions_[1].fluents;
+  return std::any_of(next.begin(), next.end(), is_asked) &&
+         std::none_of(now.begin(), now.end(), is_asked);
+}
+
+const Candidate* TaskStory::candidateOf(const Fluent& fluent) const {
+  const auto found = std::find_if(state_.candidates.begin(), state_.candidates.end(),
+                                  [&](const Candidate& c) { return sameFluent(c.fluent, fluent); });
+  return found == state_.candidates.end() ? nullptr : &*found;
+}
+
+// Null where there is none.
+const char* TaskStory::answerTo(const Fluent& fluent) const {
+  const Candidate* candidate = candidateOf(fluent);
+  return candidate == nullptr ? nullptr : answerWord(candidate->state);
+}
+
+void TaskStory::tellAnswer(const Question& question) {
+  const bool group = question.fluents.size() > 1;
   for (const Fluent& fluent : question.fluents) {
-    const auto candidate =
-        std::find_if(state_.candidates.begin(), state_.candidates.end(),
-                     [&](const Candidate& c) { return sameFluent(c.fluent, fluent); });
-    if (candidate == state_.candidates.end()) return false;
-    const char* word = answerWord(candidate->state);
-    if (word == nullptr) return false;
-    const bool group = question.fluents.size() > 1;
-    answers.push_back(group ? fmt::format("{}: {}", fluent.text, word) : word);
-  }
-  for (const std::string& answer : answers) {
-    fmt::print(out_, "  {} answers: {}.\n", person_, answer);
+    const char* word = answerTo(fluent);
+    const std::string about = group ? fluent.text + ": " : "";
+    if (word != nullptr) {
+      fmt::print(out_, "  {} answers: {}{}.\n", person_, about, word);
+    } else if (!has_ended_) {
+      fmt::print(out_, "  {}no answer is needed any more.\n", about);
+    }
   }
   out_ << std::flush;
-  return true;
 }
 
 void TaskStory::tellPlan(const Plan& plan) {
@@ -143,18 +175,28 @@ void TaskStory::tellPlan(const Plan& plan) {
   if (!plan.not_wanted.empty()) {
     fmt::print(out_, "What need not be: {}.\n", joined(plan.not_wanted, phrases_));
   }
+  if (!plan.assumed_not_wanted.empty()) {
+    fmt::print(out_, "What nobody was asked about, and is not promised: {}.\n",
+               joined(plan.assumed_not_wanted, phrases_));
+  }
+  if (plan.extra_cost > 0) {
+    fmt::print(out_, "To keep what nobody asked for costs {} of its {}.\n", plan.extra_cost,
+               plan.cost);
+  }
 }
 
 void TaskStory::tellFailure(const AlignResult& result) {
   // "There is no plan" is said only where that is proven.
   const bool proven = result.outcome == AlignResult::GOAL_UNSOLVABLE ||
                       result.outcome == AlignResult::EXPECTATION_UNACHIEVABLE;
-  fmt::print(out_, "\n{} (outcome {}): {}.\n",
-             proven ? "There is no plan" : "The robot does not act", result.outcome,
-             result.message);
-  for (const AlternativeGoal& alternative : result.alternatives) {
+  const bool sentence = !result.message.empty() && result.message.back() == '.';
+  fmt::print(out_, "\n{} (outcome {}): {}{}\n",
+             proven ? "There is no plan" : "The robot does not act", result.outcome, result.message,
+             sentence ? "" : ".");
+  // The first ones are in the message.
+  for (std::size_t i = phrasing::kSpokenAlternatives; i < result.alternatives.size(); ++i) {
     fmt::print(out_, "  It could be done without this: {}.\n",
-               joined(alternative.given_up, phrases_));
+               joined(result.alternatives[i].given_up, phrases_));
   }
 }
 

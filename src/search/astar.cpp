@@ -200,24 +200,29 @@ class AStar {
 
 /// What the projection leaves of the groups: mutex they stay.
 heuristics::MutexGroups groupsWithin(const task::Projection& projection,
-                                     const heuristics::MutexGroups& groups) {
+                                     const heuristics::MutexGroups& groups, const Limits& limits) {
   std::vector<task::FactSet> within(groups.groups().size());
   for (task::FactId fact = 0; fact < projection.facts.size(); ++fact)
     within[groups.place(projection.facts[fact]).group].push_back(fact);
   within.erase(std::remove(within.begin(), within.end(), task::FactSet{}), within.end());
-  return {projection.task, std::move(within)};
+  return {projection.task, std::move(within), limits};
+}
+
+Result searchRelevant(const SearchTask& task, const task::Goal& goal, const Limits& limits,
+                      const Bounds& bounds) {
+  task::Projection projection = task::project(task.task(), goal, limits);
+  heuristics::MutexGroups groups = groupsWithin(projection, task.groups(), limits);
+  const SearchTask relevant(std::move(projection.task), std::move(groups), limits);
+  Result result = AStar(relevant, projection.goal, limits, bounds).run();
+  result.plan = projection.original(result.plan);
+  return result;
 }
 
 }  // namespace
 
 Result astar(const SearchTask& task, const task::Goal& goal, const Limits& limits,
              const Bounds& bounds) {
-  task::Projection projection = task::project(task.task(), goal);
-  heuristics::MutexGroups groups = groupsWithin(projection, task.groups());
-  const SearchTask relevant(std::move(projection.task), std::move(groups));
-  Result result = AStar(relevant, projection.goal, limits, bounds).run();
-  result.plan = projection.original(result.plan);
-  return result;
+  return resultOf([&] { return searchRelevant(task, goal, limits, bounds); });
 }
 
 }  // namespace goal_alignment::search

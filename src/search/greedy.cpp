@@ -65,7 +65,7 @@ class LazySearch {
         aim_(aim),
         goal_(task.packing().goal(goal)),
         monitor_(limits),
-        heuristic_(task.task(), goal),
+        heuristic_(task.task(), goal, limits),
         space_(task),
         is_preferred_(task.task().operators.size(), false) {}
 
@@ -176,12 +176,12 @@ class LazySearch {
 }  // namespace
 
 Result greedy(const SearchTask& task, const task::Goal& goal, const Limits& limits) {
-  return LazySearch(task, goal, limits, {}).run();
+  return resultOf([&] { return LazySearch(task, goal, limits, {}).run(); });
 }
 
 Result weighted(const SearchTask& task, const task::Goal& goal, const Limits& limits, Cost weight,
                 Cost upper_bound) {
-  return LazySearch(task, goal, limits, {weight, upper_bound}).run();
+  return resultOf([&] { return LazySearch(task, goal, limits, {weight, upper_bound}).run(); });
 }
 
 }  // namespace goal_alignment::search

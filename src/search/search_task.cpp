@@ -17,11 +17,11 @@ heuristics::MutexGroups singleFacts(const task::Task& task) {
 
 }  // namespace
 
-SearchTask::SearchTask(task::Task task, heuristics::MutexGroups groups)
+SearchTask::SearchTask(task::Task task, heuristics::MutexGroups groups, const Limits& limits)
     : task_(std::move(task)),
       groups_(std::move(groups)),
-      successors_(task_),
-      packing_(task_, groups_) {}
+      successors_(task_, limits),
+      packing_(task_, groups_, limits) {}
 
 SearchTask::SearchTask(task::Task task)
     : task_(std::move(task)),

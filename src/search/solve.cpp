@@ -55,7 +55,7 @@ Result solve(const task::Task& task, const task::Goal& goal, Seek seek, const Li
   const heuristics::MutexTable mutexes(task, limits);
   if (mutexes.rulesOut(goal)) return result;
   const SearchTask ready(mutexes.withoutInapplicable(task),
-                         heuristics::mutexGroups(task, mutexes, limits));
+                         heuristics::mutexGroups(task, mutexes, limits), limits);
   const std::chrono::duration<double> preparing = Limits::Clock::now() - began;
   result = search(ready, goal, seek, limits.withStates(std::min(limits.states, kFirstStates)));
   if (result.limit == LimitReason::States && limits.states > kFirstStates) {

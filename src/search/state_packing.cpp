@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "goal_alignment/common/exceptions.h"
+
 namespace goal_alignment::search {
 
 using task::FactId;
@@ -20,11 +22,14 @@ std::uint32_t bitsFor(std::uint32_t values) {
 
 }  // namespace
 
-StatePacking::StatePacking(const task::Task& task, const heuristics::MutexGroups& groups)
+StatePacking::StatePacking(const task::Task& task, const heuristics::MutexGroups& groups,
+                           const Limits& limits)
     : task_(task), groups_(groups), state_words_(task::wordsFor(task.facts.size())) {
   placeGroups();
+  LimitMonitor monitor(limits);
   change_begin_.reserve(task.operators.size() + 1);
   for (const task::Operator& op : task.operators) {
+    pollOrThrow(monitor, "preparing the search");
     change_begin_.push_back(static_cast<std::uint32_t>(changes_.size()));
     if (op.conditional.empty()) addChanges(op);
   }

@@ -18,6 +18,7 @@ Reason Session::Implementation::reasonFor(const questions::Choice& choice) const
 
 void Session::Implementation::ask(const std::vector<questions::Choice>& choices) {
   std::vector<Dialogue::Posed> posed;
+  posed.reserve(choices.size());
   for (const questions::Choice& choice : choices)
     posed.push_back({choice.candidate, reasonFor(choice)});
   ask(posed);
@@ -25,6 +26,7 @@ void Session::Implementation::ask(const std::vector<questions::Choice>& choices)
 
 void Session::Implementation::ask(const std::vector<Dialogue::Posed>& posed) {
   std::vector<std::size_t> candidates;
+  candidates.reserve(posed.size());
   for (const Dialogue::Posed& one : posed)
     candidates.push_back(one.candidate);
   const std::size_t asked = dialogue_.askedWith(candidates);

@@ -10,7 +10,6 @@
 namespace goal_alignment::session {
 
 using achievability::CandidateSet;
-using achievability::Conflict;
 using questions::Knowledge;
 
 namespace {
@@ -84,17 +83,12 @@ FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
   return plan;
 }
 
-/// Everything wanted but the smallest sets that hit all conflicts among it, likeliest first.
-std::vector<Alternative> Session::Implementation::alternatives() const {
-  const CandidateSet wanted = dialogue_.with(Knowledge::Wanted);
-  achievability::ConflictSet within(robot().candidateCount());
-  for (const Conflict& conflict : robot().conflicts()) {
-    if (conflict.proven && conflict.members.is_subset_of(wanted)) within.add(conflict);
-  }
+/// Everything wanted but as little as will do to have the rest, likeliest first.
+std::vector<Alternative> Session::Implementation::alternatives() {
   std::vector<Alternative> result;
-  const auto* hitting_sets = within.minimalHittingSets(kMostAlternatives * kMostAlternatives);
-  if (hitting_sets == nullptr) return result;
-  for (const CandidateSet& given_up : *hitting_sets) {
+  const CandidateSet wanted = dialogue_.with(Knowledge::Wanted);
+  for (const CandidateSet& given_up :
+       robot().alternatives(wanted, beliefs_, kMostAlternatives, limits())) {
     Alternative alternative;
     alternative.given_up = fluents(given_up);
     alternative.probability = 1;
@@ -103,10 +97,6 @@ std::vector<Alternative> Session::Implementation::alternatives() const {
     }
     result.push_back(std::move(alternative));
   }
-  std::stable_sort(result.begin(), result.end(), [](const Alternative& a, const Alternative& b) {
-    return a.probability > b.probability;
-  });
-  if (result.size() > kMostAlternatives) result.resize(kMostAlternatives);
   return result;
 }
 

@@ -249,6 +249,10 @@ questions::Setting Session::Implementation::policySetting() {
                                    options_.belief.beta);
   };
   setting.unachievable_alone = [this] { return unachievableAlone(); };
+  // The deadline is looked at after each decision, so that a seed replays.
+  setting.poll = [this] {
+    if (cancel_.cancelled()) throw LimitReached(LimitReason::Cancelled, "choosing a question");
+  };
   return setting;
 }
 

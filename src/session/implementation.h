@@ -96,7 +96,7 @@ class Session::Implementation {
   void conclude(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
   FinalPlan finalPlan(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
   bool humanPlanAchieves(const std::vector<Literal>& kept) const;
-  std::vector<Alternative> alternatives() const;
+  std::vector<Alternative> alternatives();
   std::vector<Literal> fluents(const achievability::CandidateSet& set) const;
   std::string listed(const std::vector<Literal>& literals) const;
   std::string askedFor() const;

@@ -23,6 +23,7 @@ Snapshot Session::Implementation::snapshot() const {
   view.questions_asked = dialogue_.asked();
   if (!problem_) return view;
   view.specified = problem_->specified;
+  view.condition = problem_->condition;
   const achievability::CandidateSet assumed = dialogue_.assumed();
   for (std::size_t f = 0; f < problem_->candidates.size(); ++f) {
     CandidateView candidate;
@@ -39,6 +40,7 @@ Snapshot Session::Implementation::snapshot() const {
     view.candidates.push_back(std::move(candidate));
   }
   if (!robot_side_.achievability) return view;
+  view.robot_known = true;
 
   const questions::Situation now = situation();
   view.planning = state_ == State::Analysing && phase_ == Phase::Decide && !anyLive();

@@ -46,6 +46,7 @@ Consequence Session::Implementation::whatIf(const std::vector<Literal>& wanted,
   suppose(dialogue_, wanted, Knowledge::Wanted, dialogue_.knowledge(), then.knowledge);
   suppose(dialogue_, not_wanted, Knowledge::NotWanted, dialogue_.knowledge(), then.knowledge);
   if (!robot_side_.achievability) return result;
+  if (state_ == State::Done) cancel_.reset();  // one that came after the outcome
 
   Limits own = cancelOnly();
   own.bytes = accountable(options_.memory_limit);

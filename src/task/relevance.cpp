@@ -7,40 +7,48 @@
 #include <tuple>
 #include <utility>
 
+#include "goal_alignment/common/exceptions.h"
+
 namespace goal_alignment::task {
 
 namespace {
 
-/// Walks from the goal's facts to the operators that add them, and on to what these need.
+/// Walks from the goal's facts to the operators that add them, and on to what these need. A delete
+/// that happens under a condition must stay avoidable: so the walk goes from the facts of that
+/// condition to the operators that delete them, too.
 class BackwardReachability {
  public:
-  explicit BackwardReachability(const Task& task) : task_(task), adders_(task.facts.size()) {
+  BackwardReachability(const Task& task, const Limits& limits)
+      : task_(task),
+        monitor_(limits),
+        adders_(task.facts.size()),
+        deleters_(task.facts.size()),
+        harmful_(task.facts.size(), false) {
     found_.facts.assign(task.facts.size(), false);
     found_.operators.assign(task.operators.size(), false);
     for (OperatorId op = 0; op < task.operators.size(); ++op) {
-      for (const FactId fact : task.operators[op].add)
-        adders_[fact].push_back({op, nullptr});
-      for (const ConditionalEffect& effect : task.operators[op].conditional) {
-        for (const FactId fact : effect.add)
-          adders_[fact].push_back({op, &effect});
-      }
+      poll();
+      note(op, nullptr, task.operators[op].add, task.operators[op].del);
+      for (const ConditionalEffect& effect : task.operators[op].conditional)
+        note(op, &effect, effect.add, effect.del);
     }
   }
 
   Relevance from(const Goal& goal) {
     for (const FactSet& alternative : goal.alternatives)
       need(alternative);
-    while (!open_.empty()) {
-      const FactId fact = open_.back();
-      open_.pop_back();
-      for (const auto& [op, effect] : adders_[fact]) {
-        if (effect != nullptr) need(effect->condition);
-        if (found_.operators[op]) continue;
-        found_.operators[op] = true;
-        need(task_.operators[op].precondition);
-        // What it deletes besides must stay avoidable.
-        for (const ConditionalEffect& other : task_.operators[op].conditional) {
-          if (!other.del.empty()) need(other.condition);
+    while (!open_.empty() || !open_harmful_.empty()) {
+      if (!open_.empty()) {
+        const FactId fact = open_.back();
+        open_.pop_back();
+        use(adders_[fact]);
+      } else {
+        const FactId fact = open_harmful_.back();
+        open_harmful_.pop_back();
+        use(deleters_[fact]);
+        // What adds it must stay avoidable as well.
+        for (const Cause& cause : adders_[fact]) {
+          if (cause.effect != nullptr) avoid(cause.effect->condition);
         }
       }
     }
@@ -48,10 +56,34 @@ class BackwardReachability {
   }
 
  private:
-  struct Adder {
+  /// An operator's effect; null: what it does in any case.
+  struct Cause {
     OperatorId op;
-    const ConditionalEffect* effect;  // null: adds it in any case
+    const ConditionalEffect* effect;
   };
+
+  void poll() { pollOrThrow(monitor_, "finding what matters for the goal"); }
+
+  void note(OperatorId op, const ConditionalEffect* effect, const FactSet& add,
+            const FactSet& del) {
+    for (const FactId fact : add)
+      adders_[fact].push_back({op, effect});
+    for (const FactId fact : del)
+      deleters_[fact].push_back({op, effect});
+  }
+
+  void use(const std::vector<Cause>& causes) {
+    for (const auto& [op, effect] : causes) {
+      poll();
+      if (effect != nullptr) need(effect->condition);
+      if (found_.operators[op]) continue;
+      found_.operators[op] = true;
+      need(task_.operators[op].precondition);
+      for (const ConditionalEffect& other : task_.operators[op].conditional) {
+        if (!other.del.empty()) avoid(other.condition);
+      }
+    }
+  }
 
   void need(const FactSet& facts) {
     for (const FactId fact : facts) {
@@ -60,22 +92,38 @@ class BackwardReachability {
     }
   }
 
+  /// Facts that may do harm by being true. Their being true is looked after all the same.
+  void avoid(const FactSet& facts) {
+    need(facts);
+    for (const FactId fact : facts) {
+      if (!harmful_[fact]) open_harmful_.push_back(fact);
+      harmful_[fact] = true;
+    }
+  }
+
   const Task& task_;
-  std::vector<std::vector<Adder>> adders_;
+  LimitMonitor monitor_;
+  std::vector<std::vector<Cause>> adders_;
+  std::vector<std::vector<Cause>> deleters_;
+  std::vector<bool> harmful_;
   Relevance found_;
   std::vector<FactId> open_;
+  std::vector<FactId> open_harmful_;
 };
 
 constexpr FactId kDropped = static_cast<FactId>(-1);
 
 class Projector {
  public:
-  Projector(const Task& task, const Goal& goal) : task_(task), goal_(goal) {}
+  Projector(const Task& task, const Goal& goal, const Limits& limits)
+      : task_(task), goal_(goal), limits_(limits) {}
 
   Projection run() {
-    const Relevance relevant = relevance(task_, goal_);
+    const Relevance relevant = relevance(task_, goal_, limits_);
     number(relevant.facts);
+    LimitMonitor monitor(limits_);
     for (OperatorId op = 0; op < task_.operators.size(); ++op) {
+      pollOrThrow(monitor, "leaving out what does not matter");
       if (relevant.operators[op]) addOperator(op);
     }
     result_.task.initial = mapped(task_.initial);
@@ -141,6 +189,7 @@ class Projector {
 
   const Task& task_;
   const Goal& goal_;
+  Limits limits_;
   std::vector<FactId> number_;
   std::map<Key, OperatorId> known_;
   Projection result_;
@@ -148,12 +197,12 @@ class Projector {
 
 }  // namespace
 
-Relevance relevance(const Task& task, const Goal& goal) {
-  return BackwardReachability(task).from(goal);
+Relevance relevance(const Task& task, const Goal& goal, const Limits& limits) {
+  return BackwardReachability(task, limits).from(goal);
 }
 
-Projection project(const Task& task, const Goal& goal) {
-  return Projector(task, goal).run();
+Projection project(const Task& task, const Goal& goal, const Limits& limits) {
+  return Projector(task, goal, limits).run();
 }
 
 Plan Projection::original(const Plan& plan) const {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "evaluation.h"
+#include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/pddl/near_name.h"
 
 namespace goal_alignment::validation {
@@ -197,7 +198,10 @@ Execution execute(const pddl::Model& model, const std::vector<GroundName>& plan,
   LimitMonitor monitor(limits);
   Execution execution;
   AtomSet& state = execution.final_;
-  state.insert(model.init.begin(), model.init.end());
+  for (const pddl::Atom& atom : model.init) {
+    pollOrThrow(monitor, "executing a plan");
+    state.insert(atom);
+  }
   execution.costs.push_back(0);
   for (std::size_t i = 0; i < plan.size(); ++i) {
     Step step(model, plan[i], i, monitor);
@@ -221,9 +225,11 @@ Execution execute(const pddl::Model& model, const std::vector<GroundName>& plan,
 }
 
 std::vector<Literal> unsatisfied(const pddl::Model& model, const AtomSet& state,
-                                 const std::vector<Literal>& goal) {
+                                 const std::vector<Literal>& goal, const Limits& limits) {
   std::vector<Literal> missing;
+  LimitMonitor monitor(limits);
   for (const Literal& literal : goal) {
+    pollOrThrow(monitor, "checking a goal");
     if (!holds(model, state, literal)) missing.push_back(literal);
   }
   return missing;
@@ -241,7 +247,7 @@ std::optional<std::string> fault(const pddl::Model& model, const std::vector<Gro
   const Execution execution = execute(model, plan, limits);
   if (execution.violation) return execution.violation->message;
   std::string missing;
-  for (const Literal& literal : unsatisfied(model, execution.finalState(), goal)) {
+  for (const Literal& literal : unsatisfied(model, execution.finalState(), goal, limits)) {
     const std::string atom = model.spelling(literal.atom);
     missing += (literal.negated ? " (not " + atom + ")" : " " + atom);
   }

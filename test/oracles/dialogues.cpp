@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
 namespace goal_alignment::oracles {
 
@@ -45,21 +44,6 @@ double BestDialogue::costOf(std::vector<Knowledge> knowledge, std::size_t candid
   const double if_wanted = cost(knowledge);
   knowledge[candidate] = Knowledge::NotWanted;
   return 1 + p * if_wanted + (1 - p) * cost(knowledge);
-}
-
-double expectedQuestions(questions::Policy& policy, Situation situation) {
-  if (hasEnded(situation)) return 0;
-  const auto choice = policy.next(situation);
-  if (!choice) throw std::logic_error("the policy has nothing to ask before the end");
-  Knowledge& asked = situation.knowledge.at(choice->candidate);
-  if (asked != Knowledge::Open) throw std::logic_error("the policy asks what is answered");
-  const double p = situation.probability[choice->candidate];
-  double cost = 1;
-  asked = Knowledge::Wanted;
-  if (p > 0) cost += p * expectedQuestions(policy, situation);
-  asked = Knowledge::NotWanted;
-  if (p < 1) cost += (1 - p) * expectedQuestions(policy, situation);
-  return cost;
 }
 
 }  // namespace goal_alignment::oracles

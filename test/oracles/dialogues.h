@@ -27,8 +27,4 @@ class BestDialogue {
   std::map<std::vector<questions::Knowledge>, double> known_;
 };
 
-/// The expected number of questions that a policy asks until the dialogue has ended.
-/// O(2^questions).
-double expectedQuestions(questions::Policy& policy, questions::Situation situation);
-
 }  // namespace goal_alignment::oracles

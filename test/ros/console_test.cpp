@@ -10,7 +10,7 @@
 #include <chrono>
 #include <string>
 
-#include "scenario.h"
+#include "aligner_calls.h"
 
 namespace goal_alignment::test {
 namespace {
@@ -111,6 +111,26 @@ TEST_F(Console, takesYesDontKnowAndDecline) {
     terminal_.type(reply);
     EXPECT_EQ(awaitResult().outcome, outcome) << reply;
   }
+}
+
+TEST_F(Console, takesTheNumbersOfThoseOfAGroupThatMatter) {
+  const Parameter groups("max_group_size", 2);
+  const Question group = sendAndAwaitQuestion(lightLamps());
+  ASSERT_TRUE(terminal_.shows("Which of these matter to you")) << terminal_.shown();
+  ASSERT_TRUE(terminal_.shows("  2: " + group.fluents.at(1).text)) << terminal_.shown();
+  ASSERT_TRUE(terminal_.shows("the numbers of those that matter, n = none")) << terminal_.shown();
+  ASSERT_TRUE(terminal_.shows("> "));
+  terminal_.type("3\n");
+  ASSERT_TRUE(terminal_.shows("did not understand '3'. the numbers")) << terminal_.shown();
+  terminal_.type("2\n");
+  ASSERT_TRUE(terminal_.shows("Question 2 for Ann")) << terminal_.shown();
+  ASSERT_TRUE(terminal_.shows("Does it matter to you")) << terminal_.shown();
+  ASSERT_TRUE(terminal_.shows("> "));
+  terminal_.type("n\n");
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::SUCCESS) << result.message;
+  const auto guaranteed = textsOf(result.plan.guaranteed);
+  EXPECT_EQ(guaranteed, (std::vector<std::string>{"(checked)", textOf(group.fluents[1])}));
 }
 
 TEST_F(Console, leavesTheQuestionWhenAnotherAnswererWasFaster) {

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <vector>
 
+#include "aligner_calls.h"
 #include "generated_tasks.h"
 #include "goal_alignment/AskHuman.h"
 #include "scenario.h"
@@ -40,6 +41,20 @@ TEST_F(ScriptedDialogue, answersFromItsList) {
 TEST_F(ScriptedDialogue, saysNoToWhatIsNotInItsList) {
   align_.sendGoal(sweepHall());
   EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+}
+
+TEST_F(ScriptedDialogue, answersAGroupAtOnce) {
+  const Parameter groups("max_group_size", 2);
+  align_.sendGoal(sweepBothRooms());
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::EXPECTATION_UNACHIEVABLE) << result.message;
+  EXPECT_EQ(result.questions, 1U);
+  for (const Candidate& candidate : result.candidates) {
+    if (candidate.fluent.name != "quiet") continue;
+    EXPECT_EQ(int{candidate.state},
+              candidate.fluent.args[0] == "kitchen" ? Candidate::WANTED : Candidate::NOT_WANTED);
+    EXPECT_EQ(candidate.answered_by, "scripted_dialogue");
+  }
 }
 
 // More askers than the dialogue has threads: none of them may keep it from hearing that the
@@ -292,6 +307,43 @@ TEST_F(OddDialogue, thatHasNoAnswerIsAskedAgain) {
   align_.sendGoal(sweepHall());
   EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
   EXPECT_EQ(asked_, 2);
+}
+
+TEST_F(OddDialogue, thatNamesSomeOfAGroupSaysNoToTheRest) {
+  const Parameter groups("max_group_size", 2);
+  std::vector<std::string> group;
+  answersFirst([&](const Question& question) {
+    group = {textOf(question.fluents.at(0)), textOf(question.fluents.at(1))};
+    return answered(AskHuman::Response::YES, question.question_id, {group[1]});
+  });
+  align_.sendGoal(lightLamps());
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::SUCCESS) << result.message;
+  EXPECT_EQ(asked_, 2) << "the group, and the lamp that can't be lit beside the one that matters";
+  for (const Candidate& candidate : result.candidates) {
+    const std::string text = textOf(candidate.fluent);
+    if (text != group[0] && text != group[1]) continue;
+    EXPECT_EQ(int{candidate.state}, text == group[1] ? Candidate::WANTED : Candidate::NOT_WANTED);
+    EXPECT_EQ(candidate.answered_by, "odd");
+  }
+}
+
+TEST_F(OddDialogue, thatSaysNoToSomeOfAGroupIsAskedAboutTheRest) {
+  const Parameter groups("max_group_size", 2);
+  std::uint32_t id = 0;
+  std::string first;
+  answersFirst([&](const Question& question) {
+    id = question.question_id;
+    first = textOf(question.fluents.at(0));
+    return answered(AskHuman::Response::NO, id, {first});
+  });
+  align_.sendGoal(lightLamps());
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+  EXPECT_EQ(asked_, 2);
+  const auto narrowed = questions_.waitFor(
+      [&](const Question& shown) { return shown.question_id == id && shown.fluents.size() == 1; });
+  ASSERT_TRUE(narrowed);
+  EXPECT_NE(textOf(narrowed->fluents[0]), first);
 }
 
 TEST_F(OddDialogue, thatAnswersAfterSomebodyElseDidIsRefused) {

@@ -124,6 +124,19 @@ TEST_F(JournalScenario, aCanceledDialogueThatIsSentAgainAsksNothingTwice) {
   EXPECT_TRUE(areAboutTheSame(sendAndAwaitQuestion(sweepBothRooms()), first)) << "a new dialogue";
 }
 
+TEST_F(JournalScenario, whatWasAssumedIsNoAnswer) {
+  ros::param::set("/goal_alignment/hidden_wanted", std::vector<std::string>{"room"});
+  const auto [first, second] = breakOff(sweepBothRooms());
+  ros::param::del("/goal_alignment/hidden_wanted");
+  ASSERT_EQ(entries(), 1U);
+  const std::string text = textOf(journalFiles(".json").front());
+  EXPECT_NE(text.find("(quiet "), std::string::npos) << text;
+  EXPECT_EQ(text.find("(room "), std::string::npos) << text;
+  const Question again = sendAndAwaitQuestion(sweepBothRooms());
+  EXPECT_TRUE(areAboutTheSame(again, second));
+  cancelTheGoal();
+}
+
 TEST_F(JournalScenario, otherPersonsAndOtherPlansHaveOtherEntries) {
   const auto [first, second] = breakOff(sweepBothRooms());
   AlignGoal others = sweepBothRooms();

@@ -76,6 +76,8 @@ TEST_F(NoPlan, whereTheGoalItselfIsUnsolvable) {
   align_.sendGoal(goal);
   const AlignResult result = awaitResult();
   EXPECT_EQ(result.outcome, AlignResult::GOAL_UNSOLVABLE) << result.message;
+  EXPECT_EQ(result.message,
+            "I can't do what you asked for: \"clean\" holds for hall. That is certain.");
   EXPECT_EQ(align_.getState(), State::ABORTED);
   EXPECT_EQ(result.plan.plan_id, 0);
   EXPECT_EQ(result.questions, 0U);

@@ -50,6 +50,16 @@ AlignGoal sweepSilently() {
   return goal;
 }
 
+AlignGoal lightLamps() {
+  AlignGoal goal = sweepHall();
+  goal.robot_domain = model("lamps_robot_domain.pddl");
+  goal.human_domain = model("lamps_human_domain.pddl");
+  goal.robot_problem = goal.human_problem = model("lamps.pddl");
+  goal.task.plan = {step("light", {"a1", "a2"}), step("light", {"a2", "a1"}),
+                    step("light", {"b1", "b2"}), step("light", {"b2", "b1"}), step("check", {})};
+  return goal;
+}
+
 Scenario::Scenario()
     : questions_(node_, "/goal_alignment/question"),
       states_(node_, "/goal_alignment/state"),

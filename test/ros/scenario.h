@@ -110,6 +110,10 @@ AlignGoal sweepBothRooms();
 /// Robot and person agree: nothing to ask.
 AlignGoal sweepSilently();
 
+/// Two pairs of lamps, of which the robot can't light both of a pair: (lit a1), (lit a2) and (lit
+/// b1), (lit b2).
+AlignGoal lightLamps();
+
 /// A graph with an aligner; every scenario begins with it idle.
 class Scenario : public testing::Test {
  protected:

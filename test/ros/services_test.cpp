@@ -17,11 +17,18 @@ namespace {
 
 constexpr int kNo = Answer::Request::NO;
 constexpr int kYes = Answer::Request::YES;
+constexpr int kWhyNot = Explain::Request::WHY_NOT;
+constexpr int kWhatIf = Explain::Request::WHAT_IF;
 
 using Texts = std::vector<std::string>;
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+// Without what follows from the answers.
+std::string reasonOf(const Question& question) {
+  return question.why.substr(0, question.why.find(" If "));
 }
 
 class FreshAligner : public Scenario {};
@@ -31,6 +38,15 @@ class Services : public Scenario {
   Question ask() { return last_ = awaitQuestionAfter(last_.question_id); }
 
   Question begin(const AlignGoal& goal) { return last_ = sendAndAwaitQuestion(goal); }
+
+  // As soon as there are candidates the first search is under way.
+  void sendAndAwaitAnalysis(const AlignGoal& goal) {
+    align_.sendGoal(goal);
+    EXPECT_TRUE(eventually([&] {
+      const AlignmentState state = currentState();
+      return state.phase == AlignmentState::ANALYSING && !state.candidates.empty();
+    }));
+  }
 
   void reply(const Question& question, int value) {
     EXPECT_TRUE(answer(value, question.question_id).accepted);
@@ -53,6 +69,8 @@ TEST_F(FreshAligner, hasNothingToExplainReviseForgetOrAnswer) {
   EXPECT_FALSE(nothing.known);
   EXPECT_EQ(nothing.text, "No task was given yet.");
   EXPECT_FALSE(explain({"(quiet hall)"}).known);
+  for (const int kind : {kWhyNot, kWhatIf})
+    EXPECT_EQ(explain({"(quiet hall)"}, kind).text, "No task was given yet.");
   EXPECT_EQ(answer(kNo).message, "no alignment is under way");
   EXPECT_FALSE(reviseAnswer(kNo, {"(quiet hall)"}).accepted);
   EXPECT_EQ(int{currentState().phase}, AlignmentState::IDLE);
@@ -74,19 +92,19 @@ TEST_F(Services, explainEveryKindOfFluent) {
   const Question first = begin(sweepBothRooms());
   const std::string open = textOf(first.fluents.at(0));
   const std::string other = open == "(quiet hall)" ? "(quiet kitchen)" : "(quiet hall)";
-  expectKnown(explain({open}), first.why, {{open}});
+  expectKnown(explain({open}), reasonOf(first), {{open}});
   expectKnown(explain({"(clean hall)"}), "You asked that", {});
   expectKnown(explain({"(quiet cellar)"}), "you don't expect it", {});
   expectKnown(explain({"(not (quiet hall))"}), "you don't expect it", {});
   reply(first, kNo);
   const Question second = ask();
   expectKnown(explain({open}), "answered no by test", {{open}});
-  expectKnown(explain({other}), second.why, {{other}});
+  expectKnown(explain({other}), reasonOf(second), {{other}});
   expectKnown(explain({other, "(CLEAN Kitchen)"}), "You asked that", {{other}});
   reply(second, kYes);
   const AlignResult result = awaitResult();
   EXPECT_EQ(result.outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
-  expectKnown(explain({}), second.why, {textsOf(result.conflict)});
+  expectKnown(explain({}), reasonOf(second), {textsOf(result.conflict)});
   expectKnown(explain({other}), "answered yes by test", {{other}});
   expectKnown(explain({"(room hall)"}), "can't change what I do", {});
 }
@@ -98,13 +116,131 @@ TEST_F(Services, explainWhyThereIsNoPlan) {
   expectKnown(explain({}), "I can't have", {{"(seated g1)", "(seated g2)"}});
 }
 
+TEST_F(Services, explainWhySomethingIsNotAsked) {
+  const Question first = begin(lightLamps());
+  const std::string lamp = textOf(first.fluents.at(0));
+  expectKnown(explain({lamp}, kWhyNot), "I do ask", {textsOf(first.conflict)});
+  expectKnown(explain({"(checked)"}, kWhyNot), "you asked for it", {});
+  expectKnown(explain({"(lit c1)"}, kWhyNot), "you don't expect it", {});
+  for (const std::string& other : textsOf(first.conflict)) {
+    if (other == lamp) continue;
+    expectKnown(explain({other}, kWhyNot), "I did not ask yet", {textsOf(first.conflict)});
+  }
+  expectKnown(explain({}, kWhyNot), "Each step of your plan works for me.", {});
+  reply(first, kNo);
+  reply(ask(), kNo);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+  expectKnown(explain({lamp}, kWhyNot), "answered no by test", {textsOf(first.conflict)});
+  expectKnown(explain({"(pair a1 a2)"}, kWhyNot), "can't change what I do. My plan keeps it so.",
+              {});
+  expectKnown(explain({}, kWhyNot), "I took another plan", {});
+}
+
+TEST_F(Services, explainWhyTheHumanPlanIsNotFollowed) {
+  const Question question = begin(seatGuests(3));
+  const auto broken = explain({}, kWhyNot);
+  expectKnown(broken, "Your plan does not work for me: ", {});
+  EXPECT_TRUE(contains(broken.text, currentState().human_plan_break)) << broken.text;
+  reply(question, kNo);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+  align_.sendGoal(sweepSilently());
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+  expectKnown(explain({}, kWhyNot), "I do follow your plan.", {});
+}
+
+TEST_F(Services, explainWhatWouldFollow) {
+  const Question first = begin(lightLamps());
+  const auto both = explain({"(lit A1)", "(lit a2)"}, kWhatIf);
+  expectKnown(both, "I could not do it. I can't have both", {{"(lit a1)", "(lit a2)"}});
+  EXPECT_TRUE(both.conflicts.at(0).proven);
+  expectKnown(explain({"(not (lit a1))"}, kWhatIf), "If it did not matter that",
+              {{"(lit b1)", "(lit b2)"}});
+  expectKnown(explain({"(lit a1)", "(not (lit a2))", "(not (lit b1))"}, kWhatIf),
+              "I'd have a plan, of 3 steps.", {});
+  EXPECT_TRUE(contains(explain({"(not (checked))"}, kWhatIf).text, "part of the specified goal"));
+  EXPECT_TRUE(contains(explain({"(lit c1)"}, kWhatIf).text, "outside the state"));
+  EXPECT_FALSE(explain({"(lit a1)", "(not (lit a1))"}, kWhatIf).known);
+  EXPECT_EQ(questions_.last()->question_id, first.question_id) << "it is still open";
+
+  reply(first, kYes);
+  const Question second = ask();
+  const auto partner = textsOf(first.conflict);
+  expectKnown(explain(partner, kWhatIf), "I could not do it.", {partner});
+  reply(second, kYes);
+  for (Question next; !align_.getState().isDone();) {
+    const auto shown = questions_.last();
+    if (shown && shown->question_id > std::max(second.question_id, next.question_id))
+      reply(next = *shown, kYes);
+    ros::WallDuration(0.01).sleep();
+  }
+  EXPECT_EQ(awaitResult().outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
+  expectKnown(explain({"(not (lit a1))", "(not (lit b1))"}, kWhatIf), "I'd have a plan", {});
+  expectKnown(explain({"(lit a1)", "(lit a2)"}, kWhatIf), "I could not do it.",
+              {{"(lit a1)", "(lit a2)"}});
+}
+
+TEST_F(Services, suppositionsHoldUpNoAnswerNoCancelAndNoGoal) {
+  std::atomic<bool> go_on{true};
+  std::atomic<int> known{0};
+  std::vector<std::thread> supposing;
+  for (int i = 0; i < 3; ++i) {
+    supposing.emplace_back([&] {
+      while (go_on)
+        known += explain({"(room r0)"}, kWhatIf).known ? 1 : 0;
+    });
+  }
+  const auto talk = [this] {
+    reply(begin(sweepRooms(3)), kNo);
+    reply(ask(), kNo);
+    reply(ask(), kNo);
+    EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+  };
+  for (int i = 0; i < 5; ++i) {
+    talk();
+    begin(sweepRooms(2));
+    align_.cancelGoal();
+    EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
+  }
+  EXPECT_TRUE(eventually([&] { return known > 20; })) << "after the last outcome it is idle";
+  talk();
+  go_on = false;
+  for (std::thread& thread : supposing)
+    thread.join();
+}
+
+TEST_F(Services, aSuppositionThatTakesLongIsNotKnownAndHoldsUpNoGoal) {
+  sendAndAwaitAnalysis(longToAnalyse());
+  EXPECT_TRUE(eventually([&] { return explain({}, kWhyNot).known; })) << "the search has begun";
+  align_.cancelGoal();
+  EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
+  const auto all = explain({"(at t3 c3)", "(at t4 c4)", "(at t5 c5)"}, kWhatIf);
+  EXPECT_EQ(all.text, "Not known yet.");
+  EXPECT_FALSE(all.known);
+
+  std::atomic<bool> go_on{true};
+  std::atomic<int> asked{0};
+  std::vector<std::thread> supposing;
+  for (int i = 0; i < 2; ++i) {
+    supposing.emplace_back([&] {
+      while (go_on) {
+        EXPECT_FALSE(explain({"(at t3 c3)"}, kWhatIf).known);
+        ++asked;
+      }
+    });
+  }
+  EXPECT_TRUE(eventually([&] { return asked > 2; }));
+  align_.sendGoal(sweepSilently());
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+  go_on = false;
+  for (std::thread& thread : supposing)
+    thread.join();
+}
+
 TEST_F(Services, explainRefusesWhatItCannotRead) {
   begin(sweepHall());
-  for (const int later : {Explain::Request::WHY_NOT, Explain::Request::WHAT_IF}) {
-    const auto response = explain({"(quiet hall)"}, later);
-    EXPECT_FALSE(response.known);
-    EXPECT_TRUE(contains(response.text, "not supported yet")) << response.text;
-  }
+  const auto nothing = explain({}, kWhatIf);
+  EXPECT_FALSE(nothing.known);
+  EXPECT_TRUE(contains(nothing.text, "name what is to be supposed")) << nothing.text;
   const auto unknown = explain({}, 9);
   EXPECT_FALSE(unknown.known);
   EXPECT_TRUE(contains(unknown.text, "9 is no kind of explanation")) << unknown.text;
@@ -112,10 +248,12 @@ TEST_F(Services, explainRefusesWhatItCannotRead) {
   for (const std::string& rubbish :
        {std::string(), std::string("((("), std::string("quiet hall)"), control, std::string("()"),
         std::string("(quiet hall) (room hall)"), std::string(100000, '(')}) {
-    const auto response = explain({"(quiet hall)", rubbish});
-    EXPECT_FALSE(response.known) << rubbish.substr(0, 60);
-    EXPECT_TRUE(contains(response.text, "fluents[1]")) << response.text.substr(0, 200);
-    EXPECT_LT(response.text.size(), 1000U);
+    for (const int kind : {int{Explain::Request::WHY}, kWhyNot, kWhatIf}) {
+      const auto response = explain({"(quiet hall)", rubbish}, kind);
+      EXPECT_FALSE(response.known) << rubbish.substr(0, 60);
+      EXPECT_TRUE(contains(response.text, "fluents[1]")) << response.text.substr(0, 200);
+      EXPECT_LT(response.text.size(), 1000U);
+    }
   }
   reply(last_, kNo);
   EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
@@ -329,12 +467,7 @@ TEST_F(Services, aFloodOfAllValuesEndsOneDialogueAndHarmsNoOther) {
 TEST_F(Services, noneWaitsForABusySolver) {
   const Parameter all("conflicts", "full");
   const AlignGoal goal = longToAnalyse();
-  align_.sendGoal(goal);
-  // As soon as there are candidates the first search is under way.
-  ASSERT_TRUE(eventually([&] {
-    const AlignmentState state = currentState();
-    return state.phase == AlignmentState::ANALYSING && !state.candidates.empty();
-  }));
+  sendAndAwaitAnalysis(goal);
   const std::string session = currentState().session_id;
   EXPECT_FALSE(explain({"(at t3 c3)"}).known) << "the search goes on";
   EXPECT_FALSE(explain({}).known);
@@ -346,7 +479,12 @@ TEST_F(Services, noneWaitsForABusySolver) {
   EXPECT_FALSE(setFacts({fluent("blank", {"c999"})}).accepted);
   EXPECT_TRUE(setFacts({fluent("blank", {"c0"})}).accepted);
   EXPECT_TRUE(validate(goal.robot_domain, goal.robot_problem).valid);
-  EXPECT_FALSE(explain({}, Explain::Request::WHY_NOT).known);
+  EXPECT_FALSE(explain({"(at t3 c3)"}, kWhyNot).known);
+  const ros::WallTime asked = ros::WallTime::now();
+  const auto supposed = explain({"(at t3 c3)"}, kWhatIf);
+  EXPECT_FALSE(supposed.known);
+  EXPECT_EQ(supposed.text, "Not known yet.");
+  EXPECT_GT((ros::WallTime::now() - asked).toSec(), 1.9) << "it may become known";
   EXPECT_TRUE(callAligner<std_srvs::Trigger>("forget").success);
   // Explanations wait, so a pair of them must not hold up the others.
   std::vector<std::thread> explaining;

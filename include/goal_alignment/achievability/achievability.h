@@ -23,6 +23,8 @@
 /// One robot task, many goal sets: which candidates can be had together with the specified goal?
 namespace goal_alignment::achievability {
 
+class SubsetMap;
+
 enum class Verdict : std::uint8_t {
   Achievable,    ///< with a plan
   Unachievable,  ///< proven
@@ -44,6 +46,10 @@ struct SearchBudget {
   std::uint64_t symbolic = 50'000'000;     ///< steps on diagrams, where the states are more
   std::uint64_t second_greedy = 200'000;   ///< where none of this came to its end
   int threads = 1;  ///< for checks that don't depend on each other; the answers are the same
+  std::uint64_t shrinking = 5'000;  ///< each time something is left out of a set that stayed open
+  std::uint64_t parts =
+      100'000;  ///< on parts of the task, to prove that a set so shrunk has no plan
+  std::uint64_t open_sets = 5'000;  ///< how many sets one findAllConflicts() looks at
 };
 
 /// Remembers every set achieved and every conflict, so that what they imply needs no search.
@@ -52,17 +58,19 @@ class Achievability {
   /// Classifies the candidates and finds the conflicts of stages 1 (relaxed reachability, unknown
   /// names) and 2 (h² mutexes). `robot` must have been grounded with `specified` and `candidates`.
   /// Throws LimitReached.
-  Achievability(const grounding::GroundTask& robot, const std::vector<Literal>& specified,
+  Achievability(grounding::GroundTask robot, const std::vector<Literal>& specified,
                 const std::vector<Literal>& candidates, const SearchBudget& budget,
                 const Limits& limits);
+  ~Achievability();
 
   /// Stage 0: a sequence of ground actions known to run; every state on the way that satisfies the
   /// specified goal is an achieved set.
-  void recordExecution(const std::vector<GroundName>& actions);
+  void recordExecution(const std::vector<GroundName>& actions, const Limits& limits = {});
 
   /// Can all of `set` be had together with the specified goal? Answers from memory where it can,
   /// else searches: greedily, then through all reachable states (stage 3, at most once), one by one
-  /// or symbolically; where that did not come to its end greedily again.
+  /// or symbolically; where that did not come to its end greedily again. Where our own budgets
+  /// leave the set open, a suspected conflict within it is known afterwards, as small as was cheap.
   Check check(const CandidateSet& set, const Limits& limits);
 
   /// Which candidates can be had at all, without the specified goal (those that can't are the
@@ -76,11 +84,23 @@ class Achievability {
   search::Improved improvedPlan(const CandidateSet& set, const task::Plan& plan,
                                 const Limits& limits);
 
-  /// Finds all minimal conflicts. True: complete. Sets that a limit left open become suspected
-  /// conflicts. Resumable: what is known is kept.
+  /// Finds all minimal conflicts (stage 4: MARCO, see SubsetMap). True: complete. Anytime: what was
+  /// found before a limit stays, and the next call goes on from there. Where none ended it, every
+  /// set without a plan contains a conflict, be it a suspected one. As many searches as there are
+  /// conflicts and maximal sets that can be had, at least: exponential in the worst case.
   bool findAllConflicts(const Limits& limits);
 
-  /// All minimal conflicts are known, each proven.
+  /// Of all that is wanted, what to give up so that a plan for the rest is known, and no less would
+  /// do as far as the checks tell: at most `most` sets, by falling Π (1 − belief) over what is
+  /// given up. Best first through the hitting sets of the conflicts within what is wanted, which
+  /// checks find on the way (Reiter, "A theory of diagnosis from first principles", 1987); where
+  /// those are too many to go through, the rest of the sets found is good, not best. Nothing where
+  /// the specified goal alone can't be had, and less where the limits end it.
+  std::vector<CandidateSet> alternatives(const CandidateSet& wanted,
+                                         const std::vector<double>& belief, std::size_t most,
+                                         const Limits& limits);
+
+  /// All minimal conflicts are known, each proven; so at once where everything can be had.
   bool complete() const { return complete_; }
 
   /// Why the last check() or reachableAlone() that ended Unknown did.
@@ -107,9 +127,11 @@ class Achievability {
   static constexpr task::FactId kNoFact = static_cast<task::FactId>(-1);
 
   void classify(const grounding::GroundTask& robot, const std::vector<Literal>& specified,
-                const std::vector<Literal>& candidates);
-  void findMutexConflicts(const heuristics::MutexTable& mutexes);
+                const std::vector<Literal>& candidates, LimitMonitor& monitor);
+  void findMutexConflicts(const heuristics::MutexTable& mutexes, LimitMonitor& monitor);
   void addConflict(const std::vector<std::size_t>& candidates);
+  void learn(const Conflict& conflict);
+  void learnAchieved(const CandidateSet& set, task::Plan plan);
   CandidateSet satisfied(const task::Word* state) const;
   task::Goal goalWith(const CandidateSet& set) const;
   void recordPlan(const task::Plan& plan);
@@ -119,16 +141,24 @@ class Achievability {
   LimitReason exhaust(const Limits& limits);
   LimitReason sweepSymbolically(std::uint64_t steps, const Limits& limits);
   bool knowsReachable() const { return symbolic_ != nullptr; }
+  Check search(const CandidateSet& set, const Limits& limits);
   Check checkReachable(const CandidateSet& set, const Limits& limits);
+  Check narrow(const CandidateSet& set, Check last, const Limits& limits);
+  bool staysOpen(const CandidateSet& set, const Limits& limits);
+  std::optional<Check> learnFrom(const CandidateSet& set, const search::Result& result,
+                                 const Limits& limits);
+  std::optional<Check> searchParts(const CandidateSet& set, const Limits& limits);
   bool takeConflicts(const Limits& limits);
   std::optional<Verdict> recallAlone(std::size_t candidate) const;
   Verdict learnAlone(std::size_t candidate, const search::Result& result);
   void addUnachievable(const CandidateSet& set, const Limits& limits);
   bool provenUnachievable(const CandidateSet& set, const Limits& limits);
-  std::vector<CandidateSet> nextOpenSets(std::size_t most, bool& too_many);
+  SubsetMap& map();
+  bool explore(const Limits& limits);
   bool checkTogether(const std::vector<CandidateSet>& sets, const Limits& limits);
 
   SearchBudget budget_;
+  std::optional<heuristics::MutexTable> mutexes_;
   std::optional<search::SearchTask> task_;  // without the operators that mutexes rule out
   task::Goal specified_;                    // the specified goal, without what is always true
   std::vector<task::FactId> facts_;         // by candidate; kNoFact: always or never true
@@ -137,6 +167,7 @@ class Achievability {
   CandidateSet reached_;  // candidates seen true in some reachable state
   ConflictSet conflicts_;
   AchievedSets achieved_;
+  std::unique_ptr<SubsetMap> map_;  // of the two; null until it is needed, and needed anew
   std::unique_ptr<search::Symbolic> symbolic_;  // all reachable states, if that worked out
   bool swept_ = false;                          // as far as the budget reaches
   bool exhaustive_complete_ = false;

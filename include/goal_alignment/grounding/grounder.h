@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/common/limits.h"
+#include "goal_alignment/pddl/atom_table.h"
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/task/task.h"
 
@@ -68,7 +68,8 @@ class GroundTask {
 
   const pddl::Model* model_ = nullptr;
   std::vector<task::FactSet> condition_;  // alternatives of the model's goal condition
-  std::unordered_map<pddl::Atom, AtomStatus, pddl::AtomHash> atoms_;  // the relaxed reachable ones
+  pddl::AtomTable atoms_;                 // the relaxed reachable ones
+  std::vector<AtomStatus> statuses_;      // of these
 };
 
 /// Grounds by relaxed reachability. `literals` are goals that will be asked for: negated ones among

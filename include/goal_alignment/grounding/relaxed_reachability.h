@@ -3,35 +3,36 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
+#include "goal_alignment/common/blocks.h"
 #include "goal_alignment/common/limits.h"
+#include "goal_alignment/common/span.h"
 #include "goal_alignment/grounding/rules.h"
+#include "goal_alignment/pddl/atom_table.h"
 #include "goal_alignment/pddl/model.h"
 
 namespace goal_alignment::grounding {
 
 /// Index of an atom in RelaxedReachability::atoms.
-using AtomId = std::uint32_t;
+using pddl::AtomId;
 
 /// A rule with its variables bound.
 struct Instantiation {
-  std::size_t rule = 0;  ///< index in RelaxedReachability::rules
-  std::vector<pddl::ObjectId>
-      arguments;  ///< of Rule::variables: the action's parameters come first
+  std::size_t rule = 0;            ///< index in RelaxedReachability::rules
+  Span<pddl::ObjectId> arguments;  ///< of Rule::variables: the action's parameters come first
 };
 
 /// What can be reached when nothing is ever deleted, every negative condition that can ever hold
 /// holds, and of universal conditions only what never changes counts: a superset of what is
 /// reachable.
 struct RelaxedReachability {
-  std::vector<pddl::Atom> atoms;  ///< the initial ones first, static ones before the others
+  pddl::AtomTable atoms;  ///< the initial ones first, static ones before the others
   std::size_t initial_count = 0;
-  std::unordered_map<pddl::Atom, AtomId, pddl::AtomHash> ids;
   std::vector<Rule> rules;
-  std::vector<Instantiation> instantiations;  ///< without duplicates of one rule; where bindings
+  BlockVector<Instantiation> instantiations;  ///< without duplicates of one rule; where bindings
                                               ///< differ in no atom that can change, one of them
+  ArrayStore<pddl::ObjectId> arguments;       ///< of the instantiations
   std::uint64_t match_attempts = 0;           ///< atoms and objects tried: the work of the join
 };
 
@@ -53,7 +54,6 @@ RelaxedReachability relaxedReachability(const pddl::Model& model, const Limits& 
 pddl::Atom groundAtom(const pddl::LiftedAtom& atom, const std::vector<pddl::ObjectId>& binding);
 
 /// Writes the arguments to where the rule's variables stand in `binding`, which has room for them.
-void bind(const Rule& rule, const std::vector<pddl::ObjectId>& arguments,
-          std::vector<pddl::ObjectId>& binding);
+void bind(const Rule& rule, Span<pddl::ObjectId> arguments, std::vector<pddl::ObjectId>& binding);
 
 }  // namespace goal_alignment::grounding

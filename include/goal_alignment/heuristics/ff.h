@@ -13,7 +13,8 @@ namespace goal_alignment::heuristics {
 /// ECAI 2008): the cost of a relaxed plan. Not admissible, but infinite only where LM-cut is too.
 class Ff {
  public:
-  Ff(const task::Task& task, const task::Goal& goal);
+  /// Throws LimitReached.
+  Ff(const task::Task& task, const task::Goal& goal, const Limits& limits = {});
 
   /// Cost of a relaxed plan from the state, each operator counted as max(1, cost), so that plans of
   /// free operators still lead somewhere; kInfinity: proven unreachable.

@@ -25,7 +25,8 @@ namespace goal_alignment::heuristics {
 /// date between cuts.
 class LmCut {
  public:
-  /// `cancel` may be null; one evaluation of a large task takes longer than a cancel may.
+  /// `cancel` may be null; one evaluation of a large task takes longer than a cancel may. Throws
+  /// LimitReached.
   LmCut(const task::Task& task, const task::Goal& goal, const CancelToken* cancel = nullptr);
 
   /// A lower bound on the cost from the state to the goal; kInfinity: proven unreachable. Cut short

@@ -21,8 +21,8 @@ class MutexGroups {
     std::uint32_t value = 0;
   };
 
-  /// The groups must be mutex groups and hold every fact once.
-  MutexGroups(const task::Task& task, std::vector<task::FactSet> groups);
+  /// The groups must be mutex groups and hold every fact once. Throws LimitReached.
+  MutexGroups(const task::Task& task, std::vector<task::FactSet> groups, const Limits& limits = {});
 
   const std::vector<task::FactSet>& groups() const { return groups_; }
   Place place(task::FactId fact) const { return places_[fact]; }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "goal_alignment/common/limits.h"
 #include "goal_alignment/task/task.h"
 
 namespace goal_alignment::heuristics {
@@ -41,7 +42,8 @@ class Rows {
 /// effects is taken apart into one relaxed operator for each effect that adds: whoever adds up
 /// costs must count the parts of one origin once.
 struct RelaxedTask {
-  RelaxedTask(const task::Task& task, const task::Goal& goal);
+  /// Throws LimitReached.
+  RelaxedTask(const task::Task& task, const task::Goal& goal, const Limits& limits = {});
 
   std::size_t fact_count = 0;      ///< with the two artificial ones
   std::size_t operator_count = 0;  ///< parts of relevant ones, then the goal operators

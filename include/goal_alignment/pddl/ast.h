@@ -4,17 +4,20 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
+#include "goal_alignment/common/short_vector.h"
 #include "goal_alignment/pddl/source_position.h"
 
 /// What the parser read, as it was written: nothing is looked up or checked against anything yet.
+/// Names point into the text, and short lists stand where they are used, so that the ast of many
+/// megabytes is soon freed.
 namespace goal_alignment::pddl::ast {
 
 /// A name as its writer spelled it, and where.
 struct Name {
-  std::string spelling;
+  std::string_view spelling;  ///< into the source
   SourcePosition position;
 };
 
@@ -29,10 +32,12 @@ struct TypedName {
   std::shared_ptr<const TypeName> type;  ///< one for all names of `a b c - type`
 };
 
+using Names = ShortVector<Name, 3>;
+
 /// `(predicate term …)`; a term is a parameter or a quantified variable when it begins with `?`.
 struct Atom {
   Name predicate;
-  std::vector<Name> terms;
+  Names terms;
 };
 
 /// An atom or `(= a b)`, possibly under one `not`.
@@ -83,7 +88,7 @@ struct Action {
 };
 
 struct Domain {
-  Source source;  ///< name only is used after parsing
+  std::shared_ptr<const Source> source;  ///< what all names point into
   Name name;
   std::vector<Name> requirements;
   std::vector<TypedName> types;
@@ -100,7 +105,7 @@ struct FunctionValue {
 };
 
 struct Problem {
-  Source source;  ///< name only is used after parsing
+  std::shared_ptr<const Source> source;  ///< what all names point into
   Name name;
   Name domain_name;
   std::vector<TypedName> objects;

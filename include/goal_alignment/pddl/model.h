@@ -9,8 +9,11 @@
 
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/common/limits.h"
+#include "goal_alignment/common/short_vector.h"
+#include "goal_alignment/common/span.h"
 #include "goal_alignment/pddl/ast.h"
 #include "goal_alignment/pddl/exceptions.h"
+#include "goal_alignment/pddl/name_table.h"
 
 namespace goal_alignment::pddl {
 
@@ -26,6 +29,9 @@ constexpr TypeId kObjectType = 0;
 struct Spelled {
   std::string name;
   std::string spelling;
+
+  Spelled() = default;
+  explicit Spelled(std::string_view written) : name(toLower(written)), spelling(written) {}
 };
 
 /// A type of the tree below `object`, or the union `(either a b)`, which stands beside it.
@@ -112,18 +118,43 @@ struct Schema {
                                             ///< indexes Model::functions
 };
 
+/// The arguments of an atom; few have more than four, and these need no memory of their own.
+using Objects = ShortVector<ObjectId, 4>;
+
 /// `(predicate object …)` by ids.
 struct Atom {
   PredicateId predicate = 0;
-  std::vector<ObjectId> objects;
+  Objects objects;
 
   friend bool operator==(const Atom& a, const Atom& b) {
     return a.predicate == b.predicate && a.objects == b.objects;
   }
 };
 
+/// An atom whose objects stand in somebody else's memory.
+struct AtomView {
+  PredicateId predicate = 0;
+  Span<ObjectId> objects;
+
+  AtomView() = default;
+  AtomView(PredicateId of, Span<ObjectId> these) : predicate(of), objects(these) {}
+  AtomView(const Atom& atom) : AtomView(atom.predicate, atom.objects) {}  // NOLINT: the same atom
+
+  friend bool operator==(const AtomView& a, const AtomView& b) {
+    return a.predicate == b.predicate && a.objects == b.objects;
+  }
+};
+
 struct AtomHash {
-  std::size_t operator()(const Atom& atom) const noexcept;
+  std::size_t operator()(const AtomView& atom) const noexcept {
+    // Ids are small and dense; a multiplication each spreads them over the buckets.
+    std::uint64_t hash = static_cast<std::uint64_t>(atom.predicate) + 1;
+    for (const ObjectId object : atom.objects) {
+      hash = (hash ^ (static_cast<std::uint64_t>(object) + 1)) * 0x9e3779b97f4a7c15ULL;
+      hash ^= hash >> 29U;
+    }
+    return static_cast<std::size_t>(hash);
+  }
 };
 
 struct GoalLiteral {
@@ -162,7 +193,7 @@ struct Model {
   /// `why_not`, if given, then says which.
   std::optional<Atom> resolve(const GroundName& ground, std::string* why_not = nullptr) const;
 
-  GroundName name(const Atom& atom) const;
+  GroundName name(const AtomView& atom) const;
   std::vector<Literal> goalLiterals() const;
 
   /// The text of an atom or action with the names as they were written, where this model knows
@@ -182,9 +213,9 @@ struct Model {
 
  private:
   friend Model link(const ast::Domain& domain, const ast::Problem& problem, const Limits& limits);
-  std::unordered_map<std::string, PredicateId> predicate_ids_;
-  std::unordered_map<std::string, ObjectId> object_ids_;
-  std::unordered_map<std::string, SchemaId> schema_ids_;
+  NameTable predicate_ids_{"predicate"};
+  NameTable object_ids_{"object"};
+  NameTable schema_ids_{"action"};
 };
 
 /// Checks and resolves. Throws SemanticError (undeclared or doubly declared names, wrong arity,

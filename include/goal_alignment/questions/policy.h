@@ -56,6 +56,8 @@ struct Setting {
   std::uint64_t seed = 0;       ///< breaks ties
   std::function<std::vector<double>()> paper_beliefs;     ///< p as Algorithm 1 has it
   std::function<std::vector<bool>()> unachievable_alone;  ///< F̂
+  /// Called every millisecond or so while a policy computes; may throw to make next() end.
+  std::function<void()> poll;
 };
 
 /// Throws std::invalid_argument that names the policies there are.

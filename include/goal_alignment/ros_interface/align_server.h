@@ -28,6 +28,9 @@ class AlignServer {
   /// Takes a goal that came another way than as an action; `origin` begins its id.
   void submit(const AlignGoal& goal, const std::string& origin);
 
+  /// Somebody supposes something of the last session, which the solver thread answers when idle.
+  void nudge();
+
   /// The node is about to end: cancels the goals there are and those to come, and returns when the
   /// solver thread has left its session. The destructor does it as well.
   void endGoals();

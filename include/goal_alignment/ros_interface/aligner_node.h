@@ -21,7 +21,7 @@
 #include "goal_alignment/ros_interface/announcer.h"
 #include "goal_alignment/ros_interface/ask_human_client.h"
 #include "goal_alignment/ros_interface/diagnostics.h"
-#include "goal_alignment/ros_interface/explanation.h"
+#include "goal_alignment/ros_interface/explainer.h"
 #include "goal_alignment/ros_interface/journal.h"
 #include "goal_alignment/ros_interface/question_bridge.h"
 #include "goal_alignment/ros_interface/robot_facts.h"
@@ -49,6 +49,7 @@ class AlignerNode {
   bool setFacts(SetFacts::Request& request, SetFacts::Response& response);
   session::Receipt submit(const Answer::Request& request);
   void checkParameters() const;
+  void nudgeSolver();
 
   template <typename Service>
   ros::ServiceServer advertise(const char* name, ros::CallbackQueue& queue,

@@ -13,7 +13,7 @@
 
 #include "goal_alignment/ros_interface/announcer.h"
 #include "goal_alignment/ros_interface/ask_human_client.h"
-#include "goal_alignment/ros_interface/explanation.h"
+#include "goal_alignment/ros_interface/explainer.h"
 #include "goal_alignment/ros_interface/goal_ticket.h"
 #include "goal_alignment/ros_interface/journal.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
@@ -47,6 +47,10 @@ class AlignmentRunner {
   /// concludes it. Of any thread.
   bool stop(GoalTicket& ticket);
 
+  // While no goal runs, of the solver thread: what onlookers suppose of the last session.
+  bool isAskedToSuppose() const { return !explainer_.suppositions().empty(); }
+  void answerSupposition();
+
  private:
   using Clock = QuestionBridge::Clock;
   using State = session::State;
@@ -57,6 +61,7 @@ class AlignmentRunner {
     std::string person;
     std::string task_id;
     std::shared_ptr<session::Session> session;
+    std::vector<GroundName> human_plan;
     phrasing::Phrases phrases;
     AnswerTimes times;
     NodeOptions options;
@@ -82,6 +87,7 @@ class AlignmentRunner {
   void loop(GoalTicket& ticket);
   session::Snapshot step();  // and how things stand after it
   void takeUpModels();
+  void warnIfNobodyIs(const std::string& hidden, const session::Snapshot& now);
   void takeUpFacts();
   bool hasEnded();
   bool claimOutcome(GoalTicket& ticket);
@@ -100,11 +106,15 @@ class AlignmentRunner {
   void waitForAnswer(GoalTicket& ticket, const session::Snapshot& now);
   void treatSilence();
   void openQuestion(GoalTicket& ticket, const session::Snapshot& now);
+  void narrowQuestion(GoalTicket& ticket, const session::Snapshot& now);
+  void beginPatience();
+  void putQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void closeQuestion();
 
   // alignment_reports.cpp: what is said about the session
   void report(GoalTicket& ticket, const session::Snapshot& now, const std::string& message);
   void showToExplainer(const session::Snapshot& now);
+  Explain::Response suppose(const std::vector<Literal>& fluents);
   AlignmentState stateMessage(const session::Snapshot& now, const std::string& message) const;
   AlignResult figures(const session::Snapshot& now) const;
   std::string spoken(const std::vector<Literal>& fluents) const;
@@ -118,8 +128,8 @@ class AlignmentRunner {
   RobotFacts& facts_;
   Explainer& explainer_;
   Kept kept_;
-  Question open_;  // question_id 0: none
-  std::set<Literal> open_fluents_;
+  Question open_;                    // question_id 0: none
+  session::QuestionView open_view_;  // as the session asked it
   Clock::time_point open_until_;
   std::int32_t plans_ = 0;
   std::set<std::string> warned_about_;

@@ -7,7 +7,6 @@
 #include <array>
 #include <chrono>
 #include <condition_variable>
-#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
@@ -17,20 +16,11 @@
 #include <vector>
 
 #include "goal_alignment/AskHuman.h"
+#include "goal_alignment/phrasing/reply.h"
 #include "goal_alignment/ros_interface/line_reader.h"
 #include "goal_alignment/ros_interface/question_watch.h"
 
 namespace goal_alignment::ros_interface {
-
-/// What a person typed, understood.
-struct Reply {
-  std::int8_t answer = AskHuman::Response::NONE;
-  std::vector<std::size_t> chosen;  ///< indices into the question's fluents; empty: all of them
-};
-
-/// `y`, `n`, `?`, `d` and their long forms in any case; for a group of fluents also the numbers of
-/// those that matter, from 1. Nothing where the line is none of these.
-std::optional<Reply> parseReply(const std::string& line, std::size_t fluents);
 
 /// Answers `ask_human` by asking a person in a terminal. Leaves a question at once when `~question`
 /// shows that it is over; ends at the end of input and at shutdown, even while it waits for a line.
@@ -59,7 +49,7 @@ class ConsoleDialogue {
   void showNewQuestion();
   void leaveQuestionIfGone();
   void treatLine(const std::string& line);
-  void finish(const Reply& reply);
+  void finish(const std::optional<phrasing::Reply>& reply);
   void sayGoodbye();
   bool cameTooEarly() const;
 
@@ -68,10 +58,11 @@ class ConsoleDialogue {
   LineReader lines_;
 
   std::mutex asking_;  // one question at a time, whoever asks
-  std::mutex mutex_;   // guards the four below
+  std::mutex mutex_;   // guards the five below
   std::condition_variable answered_;
   std::optional<Question> question_;
-  std::optional<Reply> reply_;
+  bool finished_ = false;  // the question was answered, or left without a reply
+  std::optional<phrasing::Reply> reply_;
   bool ended_ = false;
 
   // Of the terminal's thread alone.

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <chrono>
-#include <condition_variable>
-#include <functional>
-#include <memory>
-#include <mutex>
+#include <string>
 #include <vector>
 
 #include "goal_alignment/Explain.h"
@@ -18,9 +14,15 @@ namespace goal_alignment::ros_interface {
 /// What ~explain speaks of: the session as it stood after its last step.
 struct Explained {
   session::Snapshot snapshot;
-  std::vector<Literal> open_question;  ///< empty: none is open
+  std::vector<Literal> open_question;                ///< empty: none is open
+  std::string open_why;                              ///< as the question says it; may be empty
+  std::vector<std::vector<Literal>> open_conflicts;  ///< that it rests on
+  session::OutcomeCode outcome = session::OutcomeCode::None;  ///< None: it goes on
   std::vector<Literal>
-      outcome_conflict;  ///< what the outcome rests on; empty: nothing, or none yet
+      outcome_conflict;          ///< what the outcome rests on; empty: nothing, or none yet
+  std::vector<GroundName> plan;  ///< where one was found
+  std::vector<GroundName> human_plan;
+  std::string human_plan_break;  ///< where it first fails for the robot
   phrasing::Phrases phrases;
 };
 
@@ -29,22 +31,8 @@ struct Explained {
 /// search for conflicts may still bring up a reason.
 Explain::Response explainWhy(const Explained& explained, const std::vector<Literal>& fluents);
 
-/// Answers ~explain from what the solver thread showed last; nobody plans for it. Thread-safe.
-class Explainer {
- public:
-  using Clock = std::chrono::steady_clock;
-
-  /// Of the solver thread, after every step.
-  void show(Explained explained);
-
-  /// Waits for at most `patience` until the reason is known.
-  Explain::Response explain(const Explain::Request& request,
-                            std::chrono::duration<double> patience) const;
-
- private:
-  mutable std::mutex mutex_;  // guards all below
-  mutable std::condition_variable shown_;
-  std::shared_ptr<const Explained> explained_;  // null: no task yet
-};
+/// Why each fluent is not asked, and what becomes of it. No fluents: why the robot does not simply
+/// follow the person's plan, or that it does.
+Explain::Response explainWhyNot(const Explained& explained, const std::vector<Literal>& fluents);
 
 }  // namespace goal_alignment::ros_interface

@@ -27,6 +27,9 @@ namespace goal_alignment::ros_interface {
 /// When each candidate was answered, which the core does not know.
 using AnswerTimes = std::map<Literal, ros::Time>;
 
+/// Whether the text is a PDDL name: not empty, without blanks, parentheses and the like.
+bool isName(const std::string& text);
+
 // Messages to core. Throw std::invalid_argument that names the field for a name or an argument
 // that is no PDDL name (empty, blanks, parentheses, …): such a text would parse as something else.
 Literal toLiteral(const Fluent& fluent);

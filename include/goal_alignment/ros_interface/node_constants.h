@@ -35,6 +35,9 @@ constexpr const char* kAlignerAlignAction = "goal_alignment/align";
 /// Below $ROS_HOME, or ~/.ros where that is not set.
 constexpr const char* kStateFolder = "goal_alignment";
 
+/// Who has answered what nobody was asked about.
+constexpr const char* kAssumed = "assumed";
+
 constexpr std::uint32_t kStateQueueSize = 10;  // latched; a slow reader may miss all but the newest
 constexpr std::uint32_t kEventQueueSize = 100;
 
@@ -43,5 +46,8 @@ constexpr double kAnswerGraceSeconds = 1.0;
 
 /// For so long ~explain waits for a reason that the search has not brought up yet.
 constexpr double kExplainSeconds = 2.0;
+
+/// For so long the session may think about one supposition: answers and cancels wait for it.
+constexpr double kSupposeSeconds = 0.1;
 
 }  // namespace goal_alignment::ros_interface

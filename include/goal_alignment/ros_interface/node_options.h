@@ -25,7 +25,9 @@ struct NodeOptions {
   /// policy, seed (0 … 2^31-1), belief (normalised, raw, flat:P), beta (0 … 1000), kappa
   /// (0.001 … 1000), conflicts (lazy, full), unsure_policy (as-yes, defer, abort), plan (first,
   /// optimal), costs, static_candidates, time_limit (seconds of thinking, 0.01 … 86400, default
-  /// 300), memory_limit (MiB, 16 … 1048576, default 2048), max_questions (-1: no limit).
+  /// 300), memory_limit (MiB, 16 … 1048576, default 2048), max_questions (-1: no limit),
+  /// max_group_size (1 … 255), negative_candidates, hidden_wanted and hidden_not_wanted (lists of
+  /// predicates, none in both), max_extra_cost (0 … 10^9; -1: no limit).
   session::Options session;
 
   double ask_timeout = 0;  ///< seconds to wait for one answer, 0 … 604800; 0: for ever

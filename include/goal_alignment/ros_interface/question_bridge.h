@@ -27,10 +27,12 @@ struct AcceptedAnswer {
   std::uint32_t question_id = 0;  ///< the open question it was given to; 0: volunteered or revised
 };
 
-/// Where answers meet questions. Callback threads submit answers and learn at once whether they
-/// are taken; the solver thread opens questions, waits, and takes the answers out. What is
-/// refused is decided against a snapshot of the candidates, on which answers already accepted
-/// count, so that of two answerers who race one is told that they were too late.
+/// Where answers meet questions. Who names the open question's id and says YES to some of its group
+/// says NO to the rest; what is volunteered, with id 0, says nothing of others. Callback threads
+/// submit answers and learn at once whether they are taken; the solver thread opens questions,
+/// waits, and takes the answers out. What is refused is decided against a snapshot of the
+/// candidates, on which answers already accepted count, so that of two answerers who race one is
+/// told that they were too late.
 class QuestionBridge {
  public:
   using Clock = std::chrono::steady_clock;
@@ -80,12 +82,13 @@ class QuestionBridge {
     Clock::time_point opened;
   };
 
-  // All below need mutex_. They return why not; empty: nothing speaks against it.
+  // All below need mutex_. Refusals say why not; empty: nothing speaks against it.
   std::string refusalOfQuestion(const Answer::Request& request) const;
   std::string refusalOfFluents(const std::vector<Literal>& fluents, std::uint32_t question_id,
                                bool revising) const;
   std::string refusalOfFluent(const Literal& fluent, bool revising) const;
-  session::Receipt accept(AcceptedAnswer answer);
+  std::vector<Literal> unanswered() const;
+  void accept(AcceptedAnswer answer);
   void count(const AcceptedAnswer& answer);
   void closeOpen(bool answered);
 

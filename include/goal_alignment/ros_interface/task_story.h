@@ -37,7 +37,11 @@ class TaskStory {
   void tellBreak();
   void tellDialogue();
   void tellQuestion(const Question& question);
-  bool tellAnswer(const Question& question);
+  bool isOver(const Question& question) const;
+  bool isLaterAsked() const;
+  void tellAnswer(const Question& question);
+  const Candidate* candidateOf(const Fluent& fluent) const;
+  const char* answerTo(const Fluent& fluent) const;
   void tellPlan(const Plan& plan);
   void tellFailure(const AlignResult& result);
   std::string stepText(const ActionDispatch& step) const;
@@ -52,6 +56,7 @@ class TaskStory {
   bool told_break_ = false;
   bool had_plan_ = false;
   bool told_question_ = false;  // the first of questions_
+  bool has_ended_ = false;
   std::deque<Question> questions_;
   std::uint32_t last_id_ = 0;
   std::size_t told_steps_ = 0;

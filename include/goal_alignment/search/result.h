@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/common/limits.h"
 #include "goal_alignment/task/task.h"
 
@@ -27,5 +28,18 @@ struct Result {
   task::Cost cost = 0;                    ///< of the plan
   Statistics statistics;
 };
+
+/// What the search returns; where a limit ends it before it has begun, a result that says so.
+template <typename Search>
+Result resultOf(Search&& search) {
+  try {
+    return search();
+  } catch (const LimitReached& stopped) {
+    Result result;
+    result.limit = stopped.reason();
+    result.statistics.generated = 1;  // the initial state, which every search counts
+    return result;
+  }
+}
 
 }  // namespace goal_alignment::search

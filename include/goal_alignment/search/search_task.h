@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "goal_alignment/common/limits.h"
 #include "goal_alignment/heuristics/mutex_groups.h"
 #include "goal_alignment/search/state_packing.h"
 #include "goal_alignment/search/successor_generator.h"
@@ -12,7 +13,8 @@ namespace goal_alignment::search {
 /// apply, and how states are written down.
 class SearchTask {
  public:
-  SearchTask(task::Task task, heuristics::MutexGroups groups);
+  /// Throws LimitReached.
+  SearchTask(task::Task task, heuristics::MutexGroups groups, const Limits& limits = {});
 
   /// Every fact is a group of its own.
   explicit SearchTask(task::Task task);

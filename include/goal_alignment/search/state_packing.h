@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "goal_alignment/common/limits.h"
 #include "goal_alignment/heuristics/mutex_groups.h"
 #include "goal_alignment/task/state.h"
 #include "goal_alignment/task/task.h"
@@ -16,8 +17,9 @@ namespace goal_alignment::search {
 /// State Encoding Length", ECP 1999). Exact for reachable states.
 class StatePacking {
  public:
-  /// The task must outlive this.
-  StatePacking(const task::Task& task, const heuristics::MutexGroups& groups);
+  /// The task must outlive this. Throws LimitReached.
+  StatePacking(const task::Task& task, const heuristics::MutexGroups& groups,
+               const Limits& limits = {});
 
   /// Words of a packed state, at least one.
   std::size_t words() const { return words_; }

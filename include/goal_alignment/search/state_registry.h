@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "goal_alignment/common/id_table.h"
 #include "goal_alignment/task/state.h"
 
 namespace goal_alignment::search {
@@ -15,7 +16,7 @@ using StateId = std::uint32_t;
 constexpr StateId kNoState = static_cast<StateId>(-1);
 
 /// Every state once, numbered in the order of insertion. The states' words stand in blocks that
-/// never move; an open-addressing table of ids finds them again.
+/// never move; a table of ids finds them again.
 class StateRegistry {
  public:
   explicit StateRegistry(std::size_t words_per_state);
@@ -33,7 +34,7 @@ class StateRegistry {
 
   /// Fetches the place in the table that insert() will look at first: worth while where a batch of
   /// states is hashed before any of them is inserted.
-  void prefetch(Hash hash) const { __builtin_prefetch(&table_[hash & (table_.size() - 1)]); }
+  void prefetch(Hash hash) const { table_.prefetch(hash); }
 
   /// The state's id, and whether it is new. Expected O(words).
   std::pair<StateId, bool> insert(const task::Word* state) { return insert(state, hash(state)); }
@@ -51,13 +52,6 @@ class StateRegistry {
   static constexpr unsigned kBlockBits = 12;
   static constexpr StateId kBlockMask = (1U << kBlockBits) - 1;
 
-  /// The upper half of the hash stands beside the id, so that a state's words are looked at nearly
-  /// only when they are the same.
-  struct Slot {
-    StateId id = kNoState;
-    std::uint32_t tag = 0;
-  };
-
   bool equals(const task::Word* state, StateId id) const {
     const task::Word* other = (*this)[id];
     for (std::size_t i = 0; i < words_; ++i) {
@@ -65,12 +59,11 @@ class StateRegistry {
     }
     return true;
   }
-  void grow();
 
   std::size_t words_;
   std::size_t size_ = 0;
   std::vector<std::unique_ptr<task::Word[]>> blocks_;
-  std::vector<Slot> table_;  // id kNoState: free; the size is a power of two
+  IdTable table_;
 };
 
 }  // namespace goal_alignment::search

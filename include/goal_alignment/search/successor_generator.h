@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "goal_alignment/common/limits.h"
 #include "goal_alignment/task/state.h"
 #include "goal_alignment/task/task.h"
 
@@ -13,7 +14,8 @@ namespace goal_alignment::search {
 /// fact first, entered only through facts that are true.
 class SuccessorGenerator {
  public:
-  explicit SuccessorGenerator(const task::Task& task);
+  /// Throws LimitReached.
+  explicit SuccessorGenerator(const task::Task& task, const Limits& limits = {});
 
   /// Calls visit(OperatorId) for every applicable operator, in an order that depends on the task
   /// alone. O(true facts + trie nodes entered).
@@ -36,6 +38,7 @@ class SuccessorGenerator {
     task::FactId fact;
     std::uint32_t node;
   };
+  struct Ranked;
   struct Entry;
 
   std::uint32_t build(std::vector<Entry>::iterator begin, std::vector<Entry>::iterator end,

@@ -134,6 +134,8 @@ struct Snapshot {
   bool planning = false;  ///< in Analysing: no known conflict is left to ask about
   float progress = 0;     ///< 0 … 1
   std::vector<Literal> specified;
+  std::string condition;     ///< what was asked for besides, as PDDL; empty: nothing
+  bool robot_known = false;  ///< humanPlanInRobotModel() says all there is to say
   std::vector<CandidateView> candidates;
   std::vector<ConflictView> conflicts;
   bool conflicts_complete = false;

@@ -64,9 +64,9 @@ Execution execute(const pddl::Model& model, const std::vector<GroundName>& plan,
                   const Limits& limits = {});
 
 /// The goal literals that are false in the state, in the order given.
-/// A literal that the model can't name is false, its negation true.
+/// A literal that the model can't name is false, its negation true. Throws LimitReached.
 std::vector<Literal> unsatisfied(const pddl::Model& model, const AtomSet& state,
-                                 const std::vector<Literal>& goal);
+                                 const std::vector<Literal>& goal, const Limits& limits = {});
 
 /// Whether the state satisfies what the model's goal asks besides its literals. Throws
 /// LimitReached.

@@ -74,8 +74,10 @@ RC_GTEST_PROP(ConflictSearch, IsSoundWithTinyBudgets, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   RC_LOG() << samples::text(hagl);
-  const SearchBudget budget = {random.below(6), random.below(6), random.below(6), random.below(6),
-                               random.below(6)};
+  SearchBudget budget = {random.below(6), random.below(6), random.below(6), random.below(6),
+                         random.below(6)};
+  budget.shrinking = random.below(6);
+  budget.parts = random.below(30);
   const auto robot = make(hagl, budget);
   const bool complete = robot->findAllConflicts({});
   RC_ASSERT(complete == robot->complete());
@@ -107,6 +109,50 @@ RC_GTEST_PROP(ConflictSearch, SaysUnknownRatherThanGuess, ()) {
     }
   }
   requireSound(hagl, *robot);
+}
+
+// However few sets it may look at in one call.
+RC_GTEST_PROP(ConflictSearch, GoesOnWhereItLeftOff, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  RC_LOG() << samples::text(hagl);
+  SearchBudget budget = {random.below(10), 1, 1, 1, 1'000'000};
+  budget.open_sets = 1;
+  const auto robot = make(hagl, budget);
+  std::size_t calls = 0;
+  while (!robot->findAllConflicts({})) {
+    requireSound(hagl, *robot);
+    RC_ASSERT(++calls <= hagl.all() + 1);
+  }
+  RC_ASSERT(provenConflicts(*robot) == hagl.minimalConflicts());
+}
+
+// Checks in any order, as a lazy dialogue makes them, suspicions and all: right where they say
+// something, and none of it is in the way of the rest.
+RC_GTEST_PROP(ConflictSearch, LazyChecksAgreeWithBruteForce, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  RC_LOG() << samples::text(hagl);
+  SearchBudget budget = {random.below(20), 1, 1, 1, random.below(40)};
+  budget.shrinking = random.below(20);
+  budget.parts = oracles::chance(random, 0.5) ? random.below(30) : 100'000;
+  const auto robot = make(hagl, budget);
+  for (int i = 0; i < 20; ++i) {
+    const CandidateBits bits = random.below(hagl.all() + 1);
+    const CandidateSet set = setOf(hagl.size(), bits);
+    const Check check = robot->check(set, {});
+    const auto& known = robot->conflicts();
+    const bool suspected = std::any_of(known.begin(), known.end(), [&](const Conflict& conflict) {
+      return conflict.members.is_subset_of(set);
+    });
+    if (check.verdict == Verdict::Unknown) {
+      RC_ASSERT(suspected);
+    } else {
+      RC_ASSERT((check.verdict == Verdict::Achievable) == hagl.achievable(bits));
+      RC_ASSERT(suspected != hagl.achievable(bits));
+    }
+    requireSound(hagl, *robot);
+  }
 }
 
 // A session goes on after a cancel, with everything it had learnt and nothing spoilt.

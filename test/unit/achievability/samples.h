@@ -26,8 +26,8 @@ inline std::unique_ptr<Achievability> make(const oracles::Hagl& hagl,
                                            const Limits& limits = {}) {
   std::vector<Literal> goals = hagl.specified;
   goals.insert(goals.end(), hagl.candidates.begin(), hagl.candidates.end());
-  const grounding::GroundTask task = grounding::ground(hagl.robot, goals, {}, {});
-  return std::make_unique<Achievability>(task, hagl.specified, hagl.candidates, budget, limits);
+  return std::make_unique<Achievability>(grounding::ground(hagl.robot, goals, {}, {}),
+                                         hagl.specified, hagl.candidates, budget, limits);
 }
 
 inline CandidateSet setOf(std::size_t candidates, std::uint64_t bits) {

@@ -189,8 +189,7 @@ TEST(Align, ATinyTimeLimitIsUndecided) {
 TEST(Interactive, PromptsOnStderrAndReadsAnswers) {
   const Folder folder;
   writeDesk(folder, "");
-  const Ended ended =
-      hagl({"align", folder.path(), "--interactive", "--json"}, "maybe\nno\nN\n");
+  const Ended ended = hagl({"align", folder.path(), "--interactive", "--json"}, "maybe\nno\nN\n");
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(ended.json()["rounds"], 2);
   EXPECT_NE(ended.err.find("[y = yes"), std::string::npos);

@@ -34,7 +34,7 @@ RC_GTEST_PROP(RelaxedReachability, EqualsTheNaiveFixpoint, ()) {
   const oracles::RelaxedGrounding naive = oracles::groundNaively(model);
 
   oracles::Atoms atoms;
-  for (const pddl::Atom& atom : relaxed.atoms)
+  for (const pddl::AtomView atom : relaxed.atoms)
     atoms.insert(model.name(atom));
   RC_ASSERT(atoms == naive.atoms);
   RC_ASSERT(atoms.size() == relaxed.atoms.size());
@@ -52,13 +52,12 @@ RC_GTEST_PROP(RelaxedReachability, IndexesItsAtoms, ()) {
   RandomSource random = oracles::anySource();
   const pddl::Model model = oracles::randomSketch(random).model();
   const RelaxedReachability relaxed = relaxedReachability(model, {});
-  RC_ASSERT(relaxed.ids.size() == relaxed.atoms.size());
   for (AtomId id = 0; id < relaxed.atoms.size(); ++id) {
-    RC_ASSERT(relaxed.ids.at(relaxed.atoms[id]) == id);
+    RC_ASSERT(relaxed.atoms.find(relaxed.atoms[id]) == id);
   }
   RC_ASSERT(relaxed.initial_count == model.init.size());
   for (const pddl::Atom& atom : model.init)
-    RC_ASSERT(relaxed.ids.at(atom) < relaxed.initial_count);
+    RC_ASSERT(relaxed.atoms.find(atom) < relaxed.initial_count);
 }
 
 pddl::Model chain(int length) {

@@ -23,7 +23,7 @@ ast::Action action(const std::string& body) {
 
 TEST(DomainParser, ReadsEverySection) {
   const ast::Domain domain = parse(kTeaDomain);
-  EXPECT_EQ(domain.source.name, "d.pddl");
+  EXPECT_EQ(domain.source->name, "d.pddl");
   EXPECT_EQ(domain.name.spelling, "Tea");
   EXPECT_EQ(domain.requirements.size(), 2U);
   ASSERT_EQ(domain.types.size(), 4U);

@@ -93,10 +93,10 @@ TEST(Model, RefusesAGoalThatDoesNotFitAndKeepsTheOldOne) {
 
 TEST(AtomHash, TellsArgumentsApart) {
   const AtomHash hash;
-  EXPECT_EQ(hash({1, {2, 3}}), hash({1, {2, 3}}));
-  EXPECT_NE(hash({1, {2, 3}}), hash({1, {3, 2}}));
-  EXPECT_NE(hash({0, {}}), hash({1, {}}));
-  EXPECT_NE(hash({0, {0}}), hash({0, {0, 0}}));
+  EXPECT_EQ(hash(Atom{1, {2, 3}}), hash(Atom{1, {2, 3}}));
+  EXPECT_NE(hash(Atom{1, {2, 3}}), hash(Atom{1, {3, 2}}));
+  EXPECT_NE(hash(Atom{0, {}}), hash(Atom{1, {}}));
+  EXPECT_NE(hash(Atom{0, {0}}), hash(Atom{0, {0, 0}}));
 }
 
 }  // namespace

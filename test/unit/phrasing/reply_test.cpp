@@ -43,7 +43,8 @@ TEST(Reply, NumbersChooseAmongSeveral) {
 }
 
 TEST(Reply, AnythingElseIsNone) {
-  for (const std::string line : {"", "maybe", "1", "0", "yes please", "all", "none", "-1"})
+  for (const std::string line :
+       {"", " ", "yesno", "y y", "\x01", "maybe", "1", "0", "yes please", "all", "none", "-1"})
     EXPECT_FALSE(parseReply(line, 1).has_value()) << line;
   for (const std::string line :
        {"0", "4", "1 4", "1 x", "1.5", "-1", "1;2", ",", "99999999999999999999999"})

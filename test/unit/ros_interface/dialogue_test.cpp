@@ -6,7 +6,6 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "goal_alignment/ros_interface/console_dialogue.h"
 #include "goal_alignment/ros_interface/line_reader.h"
 #include "goal_alignment/ros_interface/question_watch.h"
 #include "goal_alignment/ros_interface/scripted_dialogue.h"
@@ -16,7 +15,6 @@ namespace goal_alignment::ros_interface {
 namespace {
 
 using Response = AskHuman::Response;
-using Indices = std::vector<std::size_t>;
 
 Question questionOf(const std::vector<std::string>& names) {
   Question question;
@@ -27,28 +25,6 @@ Question questionOf(const std::vector<std::string>& names) {
     question.fluents.push_back(fluent);
   }
   return question;
-}
-
-TEST(Console, understandsWhatPeopleType) {
-  EXPECT_EQ(int{parseReply("y", 1)->answer}, Response::YES);
-  EXPECT_EQ(int{parseReply("  YES \r", 1)->answer}, Response::YES);
-  EXPECT_EQ(int{parseReply("n", 1)->answer}, Response::NO);
-  EXPECT_EQ(int{parseReply("No", 1)->answer}, Response::NO);
-  EXPECT_EQ(int{parseReply("?", 1)->answer}, Response::UNSURE);
-  EXPECT_EQ(int{parseReply("Don't know", 1)->answer}, Response::UNSURE);
-  EXPECT_EQ(int{parseReply("decline", 1)->answer}, Response::DECLINE);
-  for (const char* rubbish : {"", " ", "yesno", "ye", "1", "y y", "\x01"}) {
-    EXPECT_FALSE(parseReply(rubbish, 1)) << rubbish;
-  }
-}
-
-TEST(Console, takesNumbersForAGroup) {
-  EXPECT_EQ(parseReply("1 3", 3)->chosen, (Indices{0, 2}));
-  EXPECT_EQ(parseReply("2,3", 3)->chosen, (Indices{1, 2}));
-  EXPECT_TRUE(parseReply("y", 3)->chosen.empty());
-  for (const char* rubbish : {"0", "4", "1 x", "1 4", "-1", ","}) {
-    EXPECT_FALSE(parseReply(rubbish, 3)) << rubbish;
-  }
 }
 
 class Lines : public testing::Test {

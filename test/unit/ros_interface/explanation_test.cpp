@@ -59,6 +59,17 @@ TEST(ExplainWhy, theOpenQuestionWhereNothingIsNamed) {
   EXPECT_TRUE(says(response, "I can't have both")) << response.text;
 }
 
+TEST(ExplainWhy, theOpenQuestionIsExplainedAsItWasAsked) {
+  Explained explained = sample();
+  explained.open_why = "Because. If not, I can do all the rest.";
+  explained.open_conflicts = {literals({"(b)", "(a)"}), {}};
+  const auto response = explainWhy(explained, {});
+  EXPECT_TRUE(response.known);
+  EXPECT_EQ(response.text, explained.open_why);
+  ASSERT_EQ(response.conflicts.size(), 1U);
+  EXPECT_EQ(response.conflicts[0].fluents.size(), 2U);
+}
+
 TEST(ExplainWhy, aSuspicionIsNotAProof) {
   const auto response = explainWhy(sample(), literals({"(c)"}));
   EXPECT_TRUE(response.known);
@@ -89,6 +100,16 @@ TEST(ExplainWhy, oneConflictIsToldOnce) {
   EXPECT_EQ(explainWhy(sample(), literals({"(a)", "(b)"})).conflicts.size(), 1U);
 }
 
+TEST(ExplainWhy, whatIsAssumedNobodyHasSaid) {
+  Explained explained = sample();
+  explained.snapshot.candidates[3].assumed = true;
+  explained.snapshot.candidates[3].answered_by.clear();
+  const auto response = explainWhy(explained, literals({"(d)"}));
+  EXPECT_TRUE(response.known);
+  EXPECT_TRUE(says(response, "Nobody is asked")) << response.text;
+  EXPECT_TRUE(says(response, "assumed not to")) << response.text;
+}
+
 TEST(ExplainWhy, theOutcomeWhereNoQuestionIsOpen) {
   Explained explained = sample();
   explained.open_question.clear();
@@ -100,41 +121,68 @@ TEST(ExplainWhy, theOutcomeWhereNoQuestionIsOpen) {
   EXPECT_EQ(explainWhy(explained, {}).conflicts.size(), 1U);
 }
 
-Explain::Request why(const std::vector<std::string>& fluents, int kind = Explain::Request::WHY) {
-  Explain::Request request;
-  request.kind = static_cast<std::uint8_t>(kind);
-  request.fluents = fluents;
-  return request;
-}
-
-constexpr std::chrono::duration<double> kNone{0};
-constexpr std::chrono::duration<double> kLong{60};
-
-TEST(Explainer, refusesWhatItCannotRead) {
-  Explainer explainer;
-  explainer.show(sample());
-  EXPECT_FALSE(explainer.explain(why({"(((("}), kLong).known);
-  EXPECT_TRUE(says(explainer.explain(why({}, 9), kLong), "expected WHY=0"));
-  EXPECT_TRUE(
-      says(explainer.explain(why({}, Explain::Request::WHAT_IF), kLong), "not supported yet"));
-}
-
-TEST(Explainer, doesNotWaitForATask) {
-  EXPECT_FALSE(Explainer().explain(why({}), kLong).known);
-}
-
-TEST(Explainer, waitsForTheReasonToComeUp) {
-  Explainer explainer;
+TEST(ExplainWhyNot, eachKindOfFluentHasItsAnswer) {
   Explained explained = sample();
-  explainer.show(explained);
-  EXPECT_FALSE(explainer.explain(why({"(e)"}), kNone).known);
-  std::thread solver([&] {
-    explainer.show(explained);  // nothing new
-    explained.snapshot.conflicts_complete = true;
-    explainer.show(explained);
-  });
-  EXPECT_TRUE(explainer.explain(why({"(E)"}), kLong).known);
-  solver.join();
+  explained.snapshot.candidates[1].conflicts = {0};
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"(g)", "you asked for it"},
+      {"(z)", "you don't expect it"},
+      {"(a)", "I do ask whether it matters"},
+      {"(b)", "I did not ask yet"},
+      {"(d)", "answered no by Ann"},
+  };
+  for (const auto& [fluent, part] : table) {
+    const auto response = explainWhyNot(explained, literals({fluent}));
+    EXPECT_TRUE(response.known) << fluent;
+    EXPECT_TRUE(says(response, part)) << response.text;
+  }
+  const auto later = explainWhyNot(explained, literals({"(b)"}));
+  ASSERT_EQ(later.conflicts.size(), 1U);
+  EXPECT_EQ(later.conflicts[0].fluents.size(), 2U);
+}
+
+TEST(ExplainWhyNot, whatNeedNotBeAskedIsKnownWhenAllConflictsAre) {
+  Explained explained = sample();
+  EXPECT_FALSE(explainWhyNot(explained, literals({"(e)"})).known);
+  explained.snapshot.conflicts_complete = true;
+  EXPECT_TRUE(says(explainWhyNot(explained, literals({"(e)"})), "can't change what I do"));
+  explained.snapshot.candidates[0].state = CandidateState::Settled;
+  explained.snapshot.conflicts[0].live = false;
+  const auto settled = explainWhyNot(explained, literals({"(a)"}));
+  EXPECT_TRUE(says(settled, "what stood against it")) << settled.text;
+  EXPECT_EQ(settled.conflicts.size(), 2U);
+}
+
+TEST(ExplainWhyNot, afterTheOutcomeThePlanIsSpokenOf) {
+  Explained explained = sample();
+  explained.snapshot.state = session::State::Done;
+  explained.snapshot.candidates[4].state = CandidateState::Settled;
+  explained.outcome = session::OutcomeCode::Success;
+  EXPECT_TRUE(says(explainWhyNot(explained, literals({"(e)"})), "My plan keeps it so."));
+  EXPECT_FALSE(says(explainWhyNot(explained, literals({"(d)"})), "keeps"));
+  explained.outcome = session::OutcomeCode::QuestionLimit;
+  explained.snapshot.candidates[1].conflicts = {0};
+  const auto unasked = explainWhyNot(explained, literals({"(b)"}));
+  EXPECT_TRUE(says(unasked, "ended before I asked")) << unasked.text;
+}
+
+TEST(ExplainWhyNot, whyTheHumanPlanIsNotFollowed) {
+  Explained explained = sample();
+  EXPECT_TRUE(says(explainWhyNot(explained, {}), "no plan to follow"));
+  explained.human_plan = {GroundName::parse("(sweep hall)")};
+  EXPECT_FALSE(explainWhyNot(explained, {}).known) << "the robot's model is not known yet";
+  explained.snapshot.robot_known = true;
+  EXPECT_TRUE(says(explainWhyNot(explained, {}), "Each step of your plan works for me."));
+  explained.outcome = session::OutcomeCode::Success;
+  explained.plan = explained.human_plan;
+  EXPECT_EQ(explainWhyNot(explained, {}).text, "I do follow your plan.");
+  explained.plan.push_back(GroundName::parse("(sweep den)"));
+  EXPECT_TRUE(says(explainWhyNot(explained, {}), "another plan, of 2 steps"));
+  explained.human_plan_break = "step 1 fails";
+  const auto broken = explainWhyNot(explained, {});
+  EXPECT_EQ(broken.text, "Your plan does not work for me: step 1 fails.");
+  EXPECT_TRUE(broken.known);
+  EXPECT_FALSE(explainWhyNot(Explained{}, {}).known);
 }
 
 }  // namespace

@@ -125,23 +125,57 @@ TEST(MessageConversion, outcomesBecomeResults) {
   EXPECT_EQ(result.alternatives.at(0).probability, 0.5);
 }
 
-TEST(MessageConversion, questionsCarryTheirReason) {
+session::QuestionView questionAbout(const std::vector<std::string>& texts) {
   session::QuestionView view;
-  view.fluents = {Literal::parse("(on a b)")};
-  view.conflict = {Literal::parse("(on a b)"), Literal::parse("(on b a)")};
-  view.conflict_proven = true;
-  view.probabilities = {0.5};
+  for (const std::string& text : texts) {
+    const Literal fluent = Literal::parse(text);
+    view.fluents.push_back(fluent);
+    view.reasons.push_back({{fluent, Literal::parse("(on b a)")}, true, 0});
+    view.probabilities.push_back(0.5);
+  }
   view.asked = 2;
   view.max_remaining = 3;
   view.bound_is_provisional = true;
-  const Question question = toMessage(view, {});
+  return view;
+}
+
+TEST(MessageConversion, questionsCarryTheirReason) {
+  const Question question = toMessage(questionAbout({"(on a b)"}), {});
   EXPECT_EQ(question.fluents.size(), 1U);
   EXPECT_EQ(question.conflict.size(), 2U);
   EXPECT_FALSE(question.text.empty());
-  EXPECT_FALSE(question.why.empty());
+  EXPECT_NE(question.why.find("I can't have both"), std::string::npos) << question.why;
   EXPECT_EQ(question.asked, 2U);
   EXPECT_EQ(question.max_remaining, 3U);
   EXPECT_TRUE(question.bound_is_provisional);
+}
+
+TEST(MessageConversion, questionsSayWhatFollows) {
+  session::QuestionView view = questionAbout({"(on a b)"});
+  view.bound_is_provisional = false;
+  view.if_no.ending = questions::Prospect::Ending::Plan;
+  view.if_yes.ending = questions::Prospect::Ending::NoPlan;
+  const std::string why = toMessage(view, {}).why;
+  EXPECT_NE(why.find("If not, I can do all the rest."), std::string::npos) << why;
+  EXPECT_NE(why.find("If it does, I can't do all"), std::string::npos) << why;
+}
+
+TEST(MessageConversion, aGroupHasAProbabilityForEachAndTheFirstConflict) {
+  session::QuestionView view = questionAbout({"(p)", "(q)"});
+  view.reasons[0] = {{}, true, 4};
+  const Question question = toMessage(view, {});
+  ASSERT_EQ(question.fluents.size(), 2U);
+  EXPECT_EQ(question.probabilities.size(), 2U);
+  EXPECT_EQ(question.conflict.at(0).name, "q") << "the first reason that is one";
+  EXPECT_NE(question.text.find("Which of these"), std::string::npos) << question.text;
+}
+
+TEST(MessageConversion, whatIsAssumedWasAnsweredByNobody) {
+  session::CandidateView view;
+  view.fluent = Literal::parse("(p)");
+  view.state = CandidateState::Unsure;
+  view.assumed = true;
+  EXPECT_EQ(toMessage(view, {}, {}).answered_by, "assumed");
 }
 
 // The sums of rosplan_dispatch_msgs of ROSPlan's repository: executors compare nothing else.

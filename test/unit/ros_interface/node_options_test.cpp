@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 namespace goal_alignment::ros_interface {
@@ -32,6 +33,11 @@ TEST(NodeOptions, defaultsWhereNothingIsSet) {
   EXPECT_EQ(options.session.time_limit, 300);
   EXPECT_EQ(options.session.memory_limit, std::size_t{2048} << 20U);
   EXPECT_EQ(options.session.max_questions, -1);
+  EXPECT_EQ(options.session.max_group_size, 1U);
+  EXPECT_FALSE(options.session.negative_candidates);
+  EXPECT_TRUE(options.session.hidden_wanted.empty());
+  EXPECT_TRUE(options.session.hidden_not_wanted.empty());
+  EXPECT_EQ(options.session.max_extra_cost, std::numeric_limits<double>::infinity());
   EXPECT_EQ(options.ask_timeout, 0);
   EXPECT_TRUE(options.robot_domain.empty());
   EXPECT_TRUE(options.unknown.empty());
@@ -63,6 +69,57 @@ TEST(NodeOptions, valuesAreTakenOver) {
   EXPECT_FALSE(options.session.static_candidates);
   EXPECT_EQ(options.session.memory_limit, std::size_t{64} << 20U);
   EXPECT_EQ(options.ask_timeout, 1.5);
+}
+
+XmlRpcValue listOf(const std::vector<std::string>& texts) {
+  XmlRpcValue list;
+  list.setSize(static_cast<int>(texts.size()));
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    list[static_cast<int>(i)] = texts[i];
+  return list;
+}
+
+TEST(NodeOptions, whatIsAskedAboutIsTakenOver) {
+  XmlRpcValue values;
+  values["max_group_size"] = 255;
+  values["negative_candidates"] = true;
+  values["hidden_wanted"] = listOf({"Robot-At", "dusty"});
+  values["hidden_not_wanted"] = listOf({});
+  values["max_extra_cost"] = 0;
+  NodeOptions options = read(values);
+  EXPECT_EQ(options.session.max_group_size, 255U);
+  EXPECT_TRUE(options.session.negative_candidates);
+  EXPECT_EQ(options.session.hidden_wanted, (std::vector<std::string>{"robot-at", "dusty"}));
+  EXPECT_TRUE(options.session.hidden_not_wanted.empty());
+  EXPECT_EQ(options.session.max_extra_cost, 0);
+  values["max_extra_cost"] = -1;
+  EXPECT_EQ(read(values).session.max_extra_cost, std::numeric_limits<double>::infinity());
+  values["max_extra_cost"] = 1e9;
+  EXPECT_EQ(read(values).session.max_extra_cost, 1e9);
+}
+
+TEST(NodeOptions, whatIsAskedAboutHasItsRange) {
+  EXPECT_EQ(
+      faultOf("max_group_size", 0),
+      "parameter /robot/aligner/max_group_size: expected a whole number from 1 to 255, not 0");
+  EXPECT_NE(faultOf("max_group_size", 256), "");
+  EXPECT_NE(faultOf("negative_candidates", 1), "");
+  EXPECT_EQ(faultOf("max_extra_cost", -0.5),
+            "parameter /robot/aligner/max_extra_cost: expected 0 or more, or -1");
+  EXPECT_NE(faultOf("max_extra_cost", -2), "");
+  EXPECT_NE(faultOf("max_extra_cost", 2e9), "");
+  EXPECT_EQ(faultOf("hidden_wanted", "dusty"),
+            "parameter /robot/aligner/hidden_wanted: expected a list of names");
+  EXPECT_EQ(faultOf("hidden_not_wanted", listOf({"ok", "(dusty)"})),
+            "parameter /robot/aligner/hidden_not_wanted: expected a list of names, not '(dusty)'");
+  EXPECT_NE(faultOf("hidden_wanted", listOf({""})), "");
+}
+
+TEST(NodeOptions, aPredicateCantBeAssumedBothWays) {
+  XmlRpcValue values;
+  values["hidden_wanted"] = listOf({"dusty"});
+  values["hidden_not_wanted"] = listOf({"at", "Dusty"});
+  EXPECT_THROW(read(values), ParameterError);
 }
 
 TEST(NodeOptions, faultsNameKeyAndNamespace) {

@@ -156,8 +156,59 @@ TEST_F(Bridge, ofAGroupYesToSomeIsNoToTheRest) {
   const std::uint32_t id = bridge_.open({literal("(a)"), literal("(b)")});
   EXPECT_TRUE(submit(kYes, id, {"(a)", "(A)"}).accepted);
   EXPECT_EQ(bridge_.openId(), 0U);
-  EXPECT_EQ(bridge_.take().at(0).fluents.size(), 1U);
+  const auto answers = bridge_.take();
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0].fluents, std::vector<Literal>{literal("(a)")});
+  EXPECT_EQ(answers[0].kind, AnswerKind::Yes);
+  EXPECT_EQ(answers[1].fluents, std::vector<Literal>{literal("(b)")});
+  EXPECT_EQ(answers[1].kind, AnswerKind::No);
+  EXPECT_EQ(answers[1].answered_by, "Ann");
   EXPECT_NE(submit(kYes, 0, {"(b)"}).message.find("answered already"), std::string::npos);
+}
+
+TEST_F(Bridge, ofAGroupYesToAllSaysNoToNone) {
+  for (const bool named : {true, false}) {
+    const std::uint32_t id = bridge_.open({literal("(a)"), literal("(b)")});
+    const auto receipt =
+        named ? submit(kYes, id, {"(b)", "(a)"}) : submit(kYes, id, std::vector<std::string>{});
+    EXPECT_TRUE(receipt.accepted) << receipt.message;
+    const auto answers = bridge_.take();
+    ASSERT_EQ(answers.size(), 1U);
+    EXPECT_EQ(answers[0].fluents.size(), 2U);
+    bridge_.update(snapshotWith({{"(a)", CandidateState::Open}, {"(b)", CandidateState::Open}}));
+  }
+}
+
+TEST_F(Bridge, ofAGroupAVolunteeredYesLeavesTheRestOpen) {
+  const std::uint32_t id = bridge_.open({literal("(a)"), literal("(b)")});
+  EXPECT_TRUE(submit(kYes, 0, {"(a)"}).accepted);
+  EXPECT_EQ(bridge_.openId(), id);
+  EXPECT_EQ(bridge_.take().size(), 1U);
+  EXPECT_NE(submit(kYes, id, {"(a)"}).message.find("answered already"), std::string::npos);
+  EXPECT_TRUE(submit(kNo, id).accepted);
+  const auto answers = bridge_.take();
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers[0].fluents, std::vector<Literal>{literal("(b)")});
+  EXPECT_EQ(bridge_.openId(), 0U);
+}
+
+TEST_F(Bridge, whatIsAssumedCanBeVolunteeredAndRevised) {
+  session::Snapshot snapshot =
+      snapshotWith({{"(a)", CandidateState::Unsure}, {"(b)", CandidateState::NotWanted}});
+  for (auto& candidate : snapshot.candidates)
+    candidate.assumed = true;
+  bridge_.update(snapshot);
+  EXPECT_TRUE(submit(kNo, 0, {"(a)"}).accepted);
+  EXPECT_FALSE(submit(kYes, 0, {"(a)"}).accepted) << "now it is answered";
+  EXPECT_TRUE(bridge_.revise(request(kYes, 0, {"(b)"})).receipt.accepted);
+}
+
+TEST_F(Bridge, aQuestionThatReplacesTheOpenOneEndsIt) {
+  const std::uint32_t first = bridge_.open({literal("(a)")});
+  const std::uint32_t second = bridge_.open({literal("(b)")});
+  EXPECT_EQ(submit(kNo, first).message, "question " + std::to_string(first) + " is over");
+  EXPECT_FALSE(submit(kNo, 0).accepted) << "nobody can have read it";
+  EXPECT_TRUE(submit(kNo, second).accepted);
 }
 
 TEST_F(Bridge, ofAGroupNoToSomeLeavesTheRestOpen) {

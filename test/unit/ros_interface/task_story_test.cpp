@@ -65,6 +65,46 @@ TEST_F(Story, keepsItsOrderWhenMessagesOvertakeEachOther) {
                  "answers: yes", "what about b?", "answers: no"});
 }
 
+TEST_F(Story, tellsAnAnswerToEachOfAGroup) {
+  AlignFeedback group = feedbackWith(1, "a");
+  group.question.fluents.push_back(fluent("b"));
+  story_.hear(group);
+  story_.hear(stateWith({{"a", Candidate::WANTED}, {"b", Candidate::ASKED}}));
+  EXPECT_EQ(out_.str().find("answers"), std::string::npos) << "b is not answered yet";
+  story_.hear(stateWith({{"a", Candidate::WANTED}, {"b", Candidate::NOT_WANTED}}));
+  expectInOrder({"what about a?", "answers: a: yes", "answers: b: no"});
+}
+
+TEST_F(Story, goesOnAfterAQuestionThatWasTakenBack) {
+  story_.hear(feedbackWith(1, "a"));
+  story_.hear(stateWith({{"a", Candidate::ASKED}, {"b", Candidate::OPEN}}));
+  story_.hear(feedbackWith(2, "b"));
+  EXPECT_EQ(out_.str().find("about b"), std::string::npos) << "a may still be answered";
+  story_.hear(stateWith({{"a", Candidate::SETTLED}, {"b", Candidate::ASKED}}));
+  story_.hear(stateWith({{"a", Candidate::SETTLED}, {"b", Candidate::NOT_WANTED}}));
+  expectInOrder({"what about a?", "no answer is needed any more", "what about b?", "answers: no"});
+}
+
+TEST_F(Story, tellsAQuestionThatIsPutAgainOnce) {
+  story_.hear(feedbackWith(1, "a"));
+  AlignFeedback again = feedbackWith(2, "a");
+  story_.hear(again);
+  story_.hear(stateWith({{"a", Candidate::WANTED}}));
+  expectInOrder({"what about a?", "answers: yes"});
+  EXPECT_EQ(out_.str().find("what about"), out_.str().rfind("what about")) << "told twice";
+}
+
+TEST_F(Story, tellsWhatIsNotPromisedAndWhatKeepingCosts) {
+  AlignResult result;
+  result.session_id = "s";
+  result.outcome = AlignResult::SUCCESS;
+  result.plan.assumed_not_wanted = {fluent("dust")};
+  result.plan.extra_cost = 2;
+  result.plan.cost = 5;
+  story_.hear(result);
+  expectInOrder({"nobody was asked about, and is not promised: dust", "costs 2 of its 5"});
+}
+
 TEST_F(Story, isCompletedByTheResult) {
   story_.hear(feedbackWith(1, "a"));
   AlignResult result;
@@ -102,10 +142,12 @@ TEST_F(Story, promisesNothingAfterAFailure) {
   AlignResult no_plan;
   no_plan.outcome = AlignResult::EXPECTATION_UNACHIEVABLE;
   no_plan.message = "too much";
-  no_plan.alternatives.resize(1);
-  no_plan.alternatives[0].given_up = {fluent("peace")};
+  no_plan.alternatives.resize(4);
+  no_plan.alternatives[0].given_up = {fluent("quiet")};
+  no_plan.alternatives[3].given_up = {fluent("peace")};
   story_.hear(no_plan);
-  expectInOrder({"There is no plan (outcome 52): too much", "without this: peace"});
+  expectInOrder({"There is no plan (outcome 52): too much.\n", "without this: peace"});
+  EXPECT_EQ(out_.str().find("without this: quiet"), std::string::npos) << "the message says it";
   EXPECT_EQ(out_.str().find("Guaranteed"), std::string::npos);
 }
 

@@ -57,6 +57,14 @@ bool within(const std::vector<std::string>& wanted, const std::set<std::string>&
                      [&](const std::string& fluent) { return possible.count(fluent) > 0; });
 }
 
+TEST(DisjunctiveGoal, ItsConditionIsShown) {
+  Session session{Options{}};
+  session.begin(fork());
+  session.step();  // the models are read
+  EXPECT_EQ(session.snapshot().specified, samples::literals({"(fed)"}));
+  EXPECT_EQ(session.snapshot().condition, "(or (left) (right))");
+}
+
 TEST(DisjunctiveGoal, ConflictsHoldForEveryAlternative) {
   Session session(options("auto"));
   session.begin(fork());

@@ -46,6 +46,17 @@ TEST(Snapshot, FollowsTheDialogue) {
   EXPECT_FLOAT_EQ(session.snapshot().progress, 1);
 }
 
+TEST(Snapshot, SaysSinceWhenTheRobotIsKnown) {
+  Session session{Options{}};
+  session.begin(samples::desk());
+  EXPECT_FALSE(session.snapshot().robot_known);
+  session.step();  // the models are read
+  EXPECT_FALSE(session.snapshot().robot_known);
+  session.step();  // and grounded
+  EXPECT_TRUE(session.snapshot().robot_known);
+  EXPECT_TRUE(session.snapshot().condition.empty());
+}
+
 TEST(Snapshot, ShowsThatNothingIsLeftToAskAndAPlanIsMade) {
   Session session = atFirstQuestion();
   EXPECT_FALSE(session.snapshot().planning);

@@ -21,6 +21,20 @@ RC_GTEST_PROP(Projection, KeepsTheOptimalCost, ()) {
             oracles::optimalCost(task, oracles::initialFacts(task), goal));
 }
 
+// The same where some operators only delete, which can be what keeps a conditional delete away.
+RC_GTEST_PROP(Projection, KeepsTheOptimalCostOfTasksWithMereDeletes, ()) {
+  RandomSource random = oracles::anySource();
+  Task task = oracles::randomTask(random);
+  for (Operator& op : task.operators) {
+    if (oracles::chance(random, 0.4)) op.add.clear();
+  }
+  const Goal goal = oracles::randomGoal(random, task);
+  const Projection projection = project(task, goal);
+  RC_ASSERT(oracles::optimalCost(projection.task, oracles::initialFacts(projection.task),
+                                 projection.goal) ==
+            oracles::optimalCost(task, oracles::initialFacts(task), goal));
+}
+
 RC_GTEST_PROP(Projection, WhatRunsInItRunsInTheTask, ()) {
   RandomSource random = oracles::anySource();
   const Task task = oracles::randomTask(random);
@@ -62,6 +76,24 @@ TEST(Relevance, ConditionsOfDeletesMatterToo) {
   task.operators.push_back({{"break", {}}, {0}, {1}, {}, 1, {{{2}, {}, {0}}}});
   EXPECT_EQ(relevance(task, FactSet{0, 1}).facts, (std::vector<bool>{true, true, true}));
   EXPECT_EQ(relevance(task, FactSet{2}).facts, (std::vector<bool>{false, false, true}));
+}
+
+// Breaking deletes fact 0 where fact 2 is true; only the operator that hides, which adds nothing,
+// lets both goals be had.
+TEST(Relevance, WhatMakesADeleteAvoidableMatters) {
+  Task task;
+  task.facts.resize(4);
+  task.initial = {0, 2, 3};
+  task.operators.push_back({{"break", {}}, {}, {1}, {}, 1, {{{2}, {}, {0}}}});
+  task.operators.push_back({{"hide", {}}, {3}, {}, {2}, 1});
+  task.operators.push_back({{"beside", {}}, {}, {}, {3}, 1});
+  const Relevance relevant = relevance(task, FactSet{0, 1});
+  EXPECT_EQ(relevant.operators, (std::vector<bool>{true, true, false}));
+  EXPECT_EQ(relevant.facts, (std::vector<bool>{true, true, true, true}));
+  const Projection projection = project(task, FactSet{0, 1});
+  EXPECT_EQ(oracles::optimalCost(projection.task, oracles::initialFacts(projection.task),
+                                 projection.goal),
+            2);
 }
 
 }  // namespace

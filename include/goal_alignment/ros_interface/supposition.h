@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "goal_alignment/Explain.h"
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/phrasing/phrases.h"
+#include "goal_alignment/session/session.h"
+
+namespace goal_alignment::ros_interface {
+
+/// "What if these were all wanted?", understood.
+struct Supposition {
+  std::vector<Literal> wanted;
+  std::vector<Literal> not_wanted;
+  std::string refusal;  ///< why it can't be supposed; empty: it can
+};
+
+/// A fluent that is no candidate, while its negation is one, stands for that not being wanted.
+/// Fluents that were asked for are wanted anyway.
+Supposition supposition(const std::vector<Literal>& fluents, const session::Snapshot& snapshot);
+
+/// "If it mattered that …: I'd still have a plan, of 7 steps." `then` is how things stand after the
+/// session has thought about it.
+Explain::Response explainConsequence(const Supposition& supposed,
+                                     const session::Consequence& consequence,
+                                     const session::Snapshot& then,
+                                     const phrasing::Phrases& phrases);
+
+/// Suppositions on their way to the solver thread, which alone can think about them, and back.
+/// Thread-safe.
+class SuppositionQueue {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Solve = std::function<Explain::Response(const std::vector<Literal>&)>;
+
+  /// `nudge` tells the solver thread that there is something to think about.
+  explicit SuppositionQueue(std::function<void()> nudge = {});
+
+  /// Waits for the answer, or until the deadline: then nothing, and nobody thinks about it any
+  /// more.
+  std::optional<Explain::Response> ask(const std::vector<Literal>& fluents,
+                                       Clock::time_point deadline);
+
+  // Of the solver thread.
+
+  bool empty() const;
+  /// Answers the oldest; nothing where its asker has given up.
+  void answerOne(const Solve& solve);
+
+ private:
+  struct Job {
+    std::vector<Literal> fluents;
+    std::optional<Explain::Response> response;
+  };
+
+  const std::function<void()> nudge_;
+  mutable std::mutex mutex_;  // guards all below
+  std::condition_variable answered_;
+  std::list<std::shared_ptr<Job>> jobs_;
+};
+
+}  // namespace goal_alignment::ros_interface

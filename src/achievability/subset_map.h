@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "goal_alignment/achievability/candidate_set.h"
+#include "goal_alignment/common/limits.h"
+
+namespace goal_alignment::achievability {
+
+/// Which sets of candidates are unexplored still: the map of MARCO (Liffiton, Previti, Malik &
+/// Marques-Silva, "Fast, flexible MUS enumeration", Constraints 2016), a formula over one variable
+/// a candidate whose models are these sets. Deterministic.
+///
+///     SubsetMap map(candidates);
+///     for (;;) {
+///       const auto found = map.maximal(1, limits);
+///       if (found.sets.empty()) break;                 // explored, unless found.limit says why
+///       not if (can be had) map.blockDown(found.sets[0]); else map.blockUp(a conflict within it);
+///     }
+class SubsetMap {
+ public:
+  explicit SubsetMap(std::size_t candidates);
+  SubsetMap(SubsetMap&&) noexcept;
+  ~SubsetMap();
+
+  /// Explores the set and all that contain it. O(set).
+  void blockUp(const CandidateSet& conflict);
+  /// Explores the set and all within it. O(candidates).
+  void blockDown(const CandidateSet& achieved);
+
+  struct Unexplored {
+    std::vector<CandidateSet> sets;         ///< fewer than were wanted: there are no others
+    LimitReason limit = LimitReason::None;  ///< why there may be others
+  };
+
+  /// Up to `most` unexplored sets of which every proper superset is explored. They stay unexplored.
+  /// One call of a SAT solver each: NP-hard, quick in practice. Reads the clock and the cancel
+  /// token of the limits, not the states.
+  Unexplored maximal(std::size_t most, const Limits& limits);
+
+ private:
+  class Solver;
+
+  CandidateSet grown(CandidateSet set) const;
+
+  std::size_t candidates_;
+  std::vector<CandidateSet> blocked_up_;
+  std::unique_ptr<Solver> solver_;
+};
+
+}  // namespace goal_alignment::achievability

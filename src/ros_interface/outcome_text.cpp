@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/outcome_text.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "goal_alignment/phrasing/outcomes.h"
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+using session::CandidateState;
+using session::CandidateView;
+using session::ConflictView;
+using session::OutcomeCode;
+using session::Snapshot;
+
+bool isProven(const Snapshot& snapshot, const std::vector<Literal>& fluents) {
+  return std::any_of(snapshot.conflicts.begin(), snapshot.conflicts.end(),
+                     [&](const ConflictView& conflict) {
+                       return conflict.proven &&
+                              std::is_permutation(conflict.fluents.begin(), conflict.fluents.end(),
+                                                  fluents.begin(), fluents.end());
+                     });
+}
+
+// Those of the conflict that nobody is sure of.
+std::vector<Literal> deciding(const Snapshot& snapshot, const std::vector<Literal>& conflict) {
+  std::vector<Literal> fluents;
+  for (const CandidateView& candidate : snapshot.candidates) {
+    const bool part =
+        std::find(conflict.begin(), conflict.end(), candidate.fluent) != conflict.end();
+    if (part && candidate.state == CandidateState::Unsure) fluents.push_back(candidate.fluent);
+  }
+  return fluents;
+}
+
+std::vector<std::vector<Literal>> givenUp(const session::Outcome& outcome) {
+  std::vector<std::vector<Literal>> sets;
+  for (const session::Alternative& alternative : outcome.alternatives)
+    sets.push_back(alternative.given_up);
+  return sets;
+}
+
+}  // namespace
+
+std::string spokenOutcome(const session::Outcome& outcome, const Snapshot& last,
+                          const phrasing::Phrases& phrases) {
+  const std::vector<Literal>& conflict = outcome.conflict;
+  switch (outcome.code) {
+    case OutcomeCode::Success:
+      if (outcome.plan.assumed_not_wanted.empty()) break;
+      return phrasing::planWithout(phrases, outcome.plan.assumed_not_wanted);
+    case OutcomeCode::GoalUnsolvable:
+      if (!last.condition.empty()) break;  // for which there are no words
+      return phrasing::goalUnsolvable(phrases, last.specified);
+    case OutcomeCode::ExpectationUnachievable:
+      if (conflict.empty()) break;
+      return phrasing::expectationUnachievable(phrases, conflict, givenUp(outcome));
+    case OutcomeCode::UnsureBlocks:
+      if (conflict.empty()) break;
+      return phrasing::unsureBlocks(phrases, conflict, isProven(last, conflict),
+                                    deciding(last, conflict));
+    case OutcomeCode::TimeLimit:
+    case OutcomeCode::MemoryLimit:
+      if (conflict.empty()) break;
+      return phrasing::leftOpen(phrases, conflict);
+    default:
+      break;
+  }
+  return outcome.message;
+}
+
+}  // namespace goal_alignment::ros_interface

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/outcome_text.h"
+
+#include <gtest/gtest.h>
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+using session::OutcomeCode;
+
+session::Outcome outcomeWith(OutcomeCode code, const std::vector<std::string>& conflict) {
+  session::Outcome outcome;
+  outcome.code = code;
+  outcome.message = "as the session says it";
+  for (const std::string& text : conflict)
+    outcome.conflict.push_back(Literal::parse(text));
+  return outcome;
+}
+
+// (g) is asked for; (a) and (b) can't be had together, and of (b) nobody is sure.
+session::Snapshot sample() {
+  session::Snapshot snapshot;
+  snapshot.specified = {Literal::parse("(g)")};
+  session::CandidateView view;
+  view.fluent = Literal::parse("(a)");
+  view.state = session::CandidateState::Wanted;
+  snapshot.candidates.push_back(view);
+  view.fluent = Literal::parse("(b)");
+  view.state = session::CandidateState::Unsure;
+  snapshot.candidates.push_back(view);
+  snapshot.conflicts = {{{view.fluent, Literal::parse("(a)")}, true, true, true}};
+  return snapshot;
+}
+
+std::string spoken(const session::Outcome& outcome) {
+  return spokenOutcome(outcome, sample(), {});
+}
+
+TEST(OutcomeText, fluentsAreSpokenNotSpelled) {
+  EXPECT_EQ(spoken(outcomeWith(OutcomeCode::GoalUnsolvable, {})),
+            "I can't do what you asked for: \"g\" holds. That is certain.");
+  session::Outcome no_plan = outcomeWith(OutcomeCode::ExpectationUnachievable, {"(a)", "(b)"});
+  no_plan.alternatives = {{{Literal::parse("(b)")}, 0.5}};
+  EXPECT_EQ(spoken(no_plan),
+            "I can't have both: \"a\" holds, and \"b\" holds. That is certain. I can do all but "
+            "this: \"b\" holds.");
+  EXPECT_EQ(spoken(outcomeWith(OutcomeCode::UnsureBlocks, {"(a)", "(b)"})),
+            "I can't have both: \"a\" holds, and \"b\" holds. It depends on whether this matters "
+            "to you: \"b\" holds.");
+  for (const OutcomeCode limit : {OutcomeCode::TimeLimit, OutcomeCode::MemoryLimit})
+    EXPECT_EQ(spoken(outcomeWith(limit, {"(a)", "(b)"})).find("I could not make sure"), 0U);
+  session::Outcome plan = outcomeWith(OutcomeCode::Success, {});
+  plan.plan.assumed_not_wanted = {Literal::parse("(c)")};
+  EXPECT_NE(spoken(plan).find("I do not promise it: \"c\" holds."), std::string::npos);
+}
+
+TEST(OutcomeText, whereNoFluentIsNamedTheMessageStays) {
+  for (const OutcomeCode code :
+       {OutcomeCode::Success, OutcomeCode::TimeLimit, OutcomeCode::MemoryLimit,
+        OutcomeCode::UnsureBlocks, OutcomeCode::NoAnswer, OutcomeCode::InvalidModel})
+    EXPECT_EQ(spoken(outcomeWith(code, {})), "as the session says it");
+}
+
+TEST(OutcomeText, aConditionHasNoWords) {
+  session::Snapshot snapshot = sample();
+  snapshot.condition = "(or (p) (q))";
+  EXPECT_EQ(spokenOutcome(outcomeWith(OutcomeCode::GoalUnsolvable, {}), snapshot, {}),
+            "as the session says it");
+}
+
+}  // namespace
+}  // namespace goal_alignment::ros_interface

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/supposition.h"
+
+#include <gtest/gtest.h>
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+using Kind = session::Consequence::Kind;
+
+std::vector<Literal> literals(const std::vector<std::string>& texts) {
+  std::vector<Literal> result;
+  for (const std::string& text : texts)
+    result.push_back(Literal::parse(text));
+  return result;
+}
+
+// (g) is asked for; (a), (b) and (not (c)) are candidates.
+session::Snapshot sample() {
+  session::Snapshot snapshot;
+  snapshot.specified = literals({"(g)"});
+  for (const Literal& fluent : literals({"(a)", "(b)", "(not (c))"})) {
+    session::CandidateView view;
+    view.fluent = fluent;
+    snapshot.candidates.push_back(view);
+  }
+  snapshot.conflicts = {{literals({"(a)", "(b)"}), true, true, true},
+                        {literals({"(b)"}), false, false, true}};
+  return snapshot;
+}
+
+Supposition suppose(const std::vector<std::string>& texts) {
+  return supposition(literals(texts), sample());
+}
+
+TEST(Supposition, candidatesAreWantedAndTheirNegationsNot) {
+  const Supposition supposed = suppose({"(a)", "(not (b))", "(not (c))", "(g)"});
+  EXPECT_EQ(supposed.refusal, "");
+  EXPECT_EQ(supposed.wanted, literals({"(a)", "(not (c))"}));
+  EXPECT_EQ(supposed.not_wanted, literals({"(b)"}));
+}
+
+TEST(Supposition, whatMakesNoSenseIsRefused) {
+  EXPECT_EQ(suppose({"(a)", "(z)"}).refusal, "(z) is outside the state that the person expects");
+  EXPECT_EQ(suppose({"(c)"}).refusal, "(c) is outside the state that the person expects");
+  EXPECT_EQ(suppose({"(not (g))"}).refusal, "(g) is part of the specified goal");
+  EXPECT_EQ(suppose({"(a)", "(not (a))"}).refusal, "(a) can't be both wanted and not wanted");
+}
+
+Explain::Response explained(const session::Consequence& consequence,
+                            const std::vector<std::string>& texts = {"(a)"}) {
+  return explainConsequence(suppose(texts), consequence, sample(), {});
+}
+
+TEST(Supposition, aPlanIsToldWithItsLength) {
+  session::Consequence consequence;
+  consequence.kind = Kind::Plan;
+  consequence.plan.resize(7);
+  const auto response = explained(consequence);
+  EXPECT_TRUE(response.known);
+  EXPECT_EQ(response.text, "If it mattered that \"a\" holds: I'd have a plan, of 7 steps.");
+  EXPECT_TRUE(response.conflicts.empty());
+  consequence.plan.resize(1);
+  EXPECT_EQ(explained(consequence, {"(not (a))"}).text,
+            "If it did not matter that \"a\" holds: I'd have a plan, of 1 step.");
+  consequence.plan.clear();
+  EXPECT_EQ(explained(consequence, {"(g)"}).text,
+            "As things stand: all would be so already, without a step.");
+}
+
+TEST(Supposition, noPlanIsToldWithItsConflict) {
+  session::Consequence consequence;
+  consequence.kind = Kind::NoPlan;
+  consequence.conflict = literals({"(b)", "(a)"});
+  const auto response = explained(consequence, {"(a)", "(b)"});
+  EXPECT_TRUE(response.known);
+  EXPECT_EQ(response.text,
+            "If it mattered that \"a\" holds; and that \"b\" holds: I could not do it. I can't "
+            "have both: \"b\" holds, and \"a\" holds.");
+  ASSERT_EQ(response.conflicts.size(), 1U);
+  EXPECT_TRUE(response.conflicts[0].proven);
+  EXPECT_TRUE(response.conflicts[0].minimal) << "as it is known";
+  consequence.conflict = literals({"(a)"});
+  EXPECT_TRUE(explained(consequence).conflicts.at(0).proven) << "though nobody knew it before";
+}
+
+TEST(Supposition, questionsThatFollowAreCounted) {
+  session::Consequence consequence;
+  consequence.kind = Kind::Questions;
+  consequence.max_remaining = 3;
+  consequence.conflict = literals({"(b)"});
+  const auto response = explained(consequence);
+  EXPECT_TRUE(response.known);
+  EXPECT_EQ(response.text,
+            "If it mattered that \"a\" holds: I'd have to ask at most 3 more questions. I could "
+            "not make sure that I can make it so that \"b\" holds, given what you asked for.");
+  EXPECT_FALSE(response.conflicts.at(0).proven);
+  consequence.conflict.clear();
+  consequence.max_remaining = 1;
+  EXPECT_EQ(explained(consequence).text,
+            "If it mattered that \"a\" holds: I'd have to ask at most 1 more question.");
+  consequence.max_remaining = 0;
+  EXPECT_EQ(explained(consequence).text,
+            "If it mattered that \"a\" holds: it would stay undecided.");
+}
+
+TEST(Supposition, whatIsNotFoundOutIsNotKnown) {
+  const auto response = explained(session::Consequence{});
+  EXPECT_FALSE(response.known);
+  EXPECT_EQ(response.text, "Not known yet.");
+}
+
+}  // namespace
+}  // namespace goal_alignment::ros_interface
