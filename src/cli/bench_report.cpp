@@ -126,10 +126,10 @@ void BenchTable::printSummary(const std::vector<Row>& rows) {
                       "to optimal", "rounds", "first", "answer");
   for (const auto& [truth, policy] : truthsAndPolicies(rows))
     out_ << summaryLine(truth, policy, rows);
-  out_
-      << "\nQuestions, unasked and gaps are means over the instances; of paper: the geometric mean "
-         "over those\n(so many) where both ask; rounds and times are the largest.\n"
-      << std::flush;
+  out_ << "\nQuestions, unasked and gaps are means over the instances; above: the least that a "
+          "clairvoyant needs;\nof paper: the geometric mean over those (so many) where both ask; "
+          "rounds and times are the largest.\n"
+       << std::flush;
 }
 
 PaperRatio ratioToPaper(const std::vector<Row>& rows, const std::string& policy,

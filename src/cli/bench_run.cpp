@@ -104,7 +104,7 @@ RunFigures alignOnce(session::Input input, const session::Options& options, cons
   Stopwatch watch;
   const auto thought = [&] {
     const double seconds = watch.lap();
-    if (session.questions().empty())
+    if (figures.rounds == 0)
       figures.first_question = seconds;
     else
       figures.per_answer.push_back(seconds);
@@ -113,6 +113,9 @@ RunFigures alignOnce(session::Input input, const session::Options& options, cons
     if (session.state() != State::AwaitingAnswer) continue;
     thought();
     const std::vector<Literal> fluents = session.question()->fluents;
+    // All of a group was looked at, also what the first answers of it make needless.
+    figures.questions += fluents.size();
+    ++figures.rounds;
     for (const Literal& fluent : fluents)
       session.answer({fluent}, wants(fluent) ? AnswerKind::Yes : AnswerKind::No, "truth");
   }
@@ -123,9 +126,6 @@ RunFigures alignOnce(session::Input input, const session::Options& options, cons
   figures.candidates_static = countOf(view.candidates, [](const auto& c) { return c.is_static; });
   figures.settled =
       countOf(view.candidates, [&](const auto& c) { return isSettled(c, figures.outcome); });
-  figures.rounds = session.questions().size();
-  for (const session::QuestionRecord& record : session.questions())
-    figures.questions += record.fluents.size();
   figures.spent = session.statistics();
   return figures;
 }

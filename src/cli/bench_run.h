@@ -44,7 +44,7 @@ struct RunFigures {
   std::size_t candidates = 0;
   std::size_t candidates_static = 0;
   std::size_t settled = 0;         ///< candidates that nobody had to ask about
-  std::size_t questions = 0;       ///< candidates asked about
+  std::size_t questions = 0;       ///< candidates shown to the person
   std::size_t rounds = 0;          ///< times the person was interrupted; fewer, with groups
   double first_question = 0;       ///< seconds, or until the outcome where none was asked
   std::vector<double> per_answer;  ///< seconds from each answer to what follows

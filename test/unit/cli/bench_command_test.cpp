@@ -271,6 +271,20 @@ TEST(Bench, TakesTheOptionsOfAlign) {
   EXPECT_EQ(row({"--conflicts", "lazy"})["minimum_mean"], 3.0);
 }
 
+// The first YES decides, but the person has looked at the whole list.
+TEST(Bench, CountsAllThatAGroupShows) {
+  const Folder root;
+  writeDesk(root, "(down b)\n(held b)\n", "desk/");
+  const json row =
+      bench(root, {"--group", "6", "--truth", "own", "--runs", "1", "--json"}).json()[0];
+  EXPECT_EQ(row["outcome"], "no_plan");
+  EXPECT_EQ(row["rounds_max"], 1.0);
+  EXPECT_EQ(row["minimum_mean"], 1.0);
+  EXPECT_GT(row["questions_mean"], 1.0);
+  EXPECT_NEAR(row["questions_mean"].get<double>() / 6 + row["settled_unasked"].get<double>(), 1,
+              1e-9);
+}
+
 TEST(Bench, WhatTheLimitLeavesOpenHasNoMinimum) {
   const Folder root;
   writeEndless(root);
