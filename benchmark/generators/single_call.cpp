@@ -2,11 +2,11 @@
 #include "single_call.h"
 
 #include "goal_alignment/common/exceptions.h"
+#include "goal_alignment/common/stopwatch.h"
 #include "goal_alignment/grounding/grounder.h"
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/search/solve.h"
 #include "goal_alignment/validation/execution.h"
-#include "stopwatch.h"
 
 namespace goal_alignment::benchmarks {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "generators/stopwatch.h"
+#include "goal_alignment/common/stopwatch.h"
 
 namespace goal_alignment::benchmarks {
 namespace {

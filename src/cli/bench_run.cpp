@@ -2,9 +2,9 @@
 #include "bench_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
+#include "goal_alignment/common/stopwatch.h"
 #include "goal_alignment/questions/clairvoyant.h"
 
 namespace goal_alignment::cli {
@@ -20,19 +20,6 @@ using session::Snapshot;
 using session::State;
 
 namespace {
-
-class Stopwatch {
- public:
-  /// Seconds since the last lap.
-  double lap() {
-    const Clock::time_point now = Clock::now();
-    return std::chrono::duration<double>(now - std::exchange(since_, now)).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point since_ = Clock::now();
-};
 
 /// A decided outcome leaves candidates in live conflicts open: more answers could not change it.
 bool isSettled(const CandidateView& candidate, OutcomeCode outcome) {

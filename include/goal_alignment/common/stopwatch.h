@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace goal_alignment::benchmarks {
+namespace goal_alignment {
 
 /// Wall time in seconds.
 class Stopwatch {
@@ -21,4 +21,4 @@ class Stopwatch {
   Clock::time_point began_ = Clock::now();
 };
 
-}  // namespace goal_alignment::benchmarks
+}  // namespace goal_alignment
