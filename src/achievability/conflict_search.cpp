@@ -28,12 +28,6 @@ bool isBudget(LimitReason reason) {
   return reason == LimitReason::States || reason == LimitReason::Memory;
 }
 
-/// Whether a person or the clock has ended the work.
-LimitReason interruption(const Limits& limits) {
-  if (limits.cancel != nullptr && limits.cancel->cancelled()) return LimitReason::Cancelled;
-  return Limits::Clock::now() >= limits.deadline ? LimitReason::Time : LimitReason::None;
-}
-
 /// Leaves out of the set what it can do without: `holds` says so of the rest. Large pieces first,
 /// then smaller ones, and in the end one by one, so that the result is minimal where `holds` is
 /// monotone. O(result · log set) calls that say no, O(log set) that say yes where the result is
@@ -200,7 +194,7 @@ Check Achievability::narrow(const CandidateSet& set, Check last, const Limits& l
     if (!settled) break;
     open = all;
   }
-  const LimitReason interrupted = interruption(limits);
+  const LimitReason interrupted = limits.interruption();
   if (interrupted != LimitReason::None) last.limit = interrupted;
   if (isBudget(last.limit)) suspect(open);
   return last;

@@ -18,11 +18,8 @@ class LimitTerminator : public CaDiCaL::Terminator {
   explicit LimitTerminator(const Limits& limits) : limits_(limits) {}
 
   bool terminate() override {
-    if (limits_.cancel != nullptr && limits_.cancel->cancelled()) {
-      reason_ = LimitReason::Cancelled;
-    } else if (Limits::Clock::now() >= limits_.deadline) {
-      reason_ = LimitReason::Time;
-    }
+    const LimitReason now = limits_.interruption();
+    if (now != LimitReason::None) reason_ = now;
     return reason_ != LimitReason::None;
   }
   LimitReason reason() const { return reason_; }

@@ -13,28 +13,28 @@ bool isSpace(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-std::string_view trim(std::string_view text) {
-  while (!text.empty() && isSpace(text.front()))
-    text.remove_prefix(1);
-  while (!text.empty() && isSpace(text.back()))
-    text.remove_suffix(1);
-  return text;
-}
-
 [[noreturn]] void refuse(std::string_view text) {
   throw std::invalid_argument("expected '(name argument …)', found " + inQuotes(text));
 }
 
 /// Takes off one pair of parentheses, if there is one.
 std::string_view insideParentheses(std::string_view text, std::string_view whole) {
-  text = trim(text);
+  text = trimmed(text);
   if (text.empty()) refuse(whole);
   if (text.front() != '(') return text;
   if (text.back() != ')') refuse(whole);
-  return trim(text.substr(1, text.size() - 2));
+  return trimmed(text.substr(1, text.size() - 2));
 }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && isSpace(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && isSpace(text.back()))
+    text.remove_suffix(1);
+  return text;
+}
 
 std::string toLower(std::string_view text) {
   std::string lower(text);

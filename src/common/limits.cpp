@@ -39,4 +39,9 @@ Limits Limits::withSeconds(double seconds) const {
   return narrowed;
 }
 
+LimitReason Limits::interruption() const noexcept {
+  if (cancel != nullptr && cancel->cancelled()) return LimitReason::Cancelled;
+  return Clock::now() >= deadline ? LimitReason::Time : LimitReason::None;
+}
+
 }  // namespace goal_alignment

@@ -11,13 +11,6 @@ namespace goal_alignment::phrasing {
 
 namespace {
 
-std::string trimmed(const std::string& line) {
-  constexpr const char* kBlanks = " \t\r\n";
-  const std::size_t begin = line.find_first_not_of(kBlanks);
-  if (begin == std::string::npos) return {};
-  return line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1);
-}
-
 bool isOneOf(const std::string& word, std::initializer_list<const char*> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }

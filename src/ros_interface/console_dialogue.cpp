@@ -18,13 +18,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kShutdownCheck{50};
 
-std::string trimmed(const std::string& line) {
-  constexpr const char* kBlanks = " \t\r";
-  const std::size_t begin = line.find_first_not_of(kBlanks);
-  if (begin == std::string::npos) return {};
-  return line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1);
-}
-
 std::string wordingOf(const Question& question) {
   std::string text =
       fmt::format("\nQuestion {}{} (at most {} left{}): {}\n", question.asked + 1,

@@ -57,6 +57,9 @@ struct Literal {
 /// ASCII lower case: PDDL names are ASCII, and a locale must not change what matches.
 std::string toLower(std::string_view text);
 
+/// The text without the blanks and line ends around it; a part of the same text.
+std::string_view trimmed(std::string_view text);
+
 }  // namespace goal_alignment
 
 template <>

@@ -46,6 +46,8 @@ struct Limits {
   Limits withStates(std::uint64_t count) const;
   /// The same limits, ending at most `seconds` from now.
   Limits withSeconds(double seconds) const;
+  /// Whether a person or the clock has ended the work by now: Cancelled, Time or None.
+  LimitReason interruption() const noexcept;
 };
 
 /// Counts what one piece of work has used and says when to stop. Poll it at every generated state:

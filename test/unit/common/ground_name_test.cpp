@@ -76,5 +76,12 @@ TEST(ToLower, ChangesAsciiLettersAlone) {
   EXPECT_EQ(toLower("\xC3\x84"), "\xC3\x84");
 }
 
+TEST(Trimmed, TakesOffBlanksAndLineEnds) {
+  EXPECT_EQ(trimmed(" \t(on a b)\r\n"), "(on a b)");
+  EXPECT_EQ(trimmed("a  b"), "a  b");
+  EXPECT_EQ(trimmed(" \n"), "");
+  EXPECT_EQ(trimmed(""), "");
+}
+
 }  // namespace
 }  // namespace goal_alignment

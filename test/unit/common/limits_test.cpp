@@ -79,5 +79,17 @@ TEST(LimitReached, SaysWhatStoppedAndWhy) {
   EXPECT_EQ(std::string(reached.what()), "grounding stopped: memory");
 }
 
+TEST(Limits, TellWhetherAPersonOrTheClockEndedTheWork) {
+  Limits limits;
+  EXPECT_EQ(limits.interruption(), LimitReason::None);
+  EXPECT_EQ(limits.withStates(0).interruption(), LimitReason::None);
+  EXPECT_EQ(limits.withSeconds(0).interruption(), LimitReason::Time);
+  CancelToken token;
+  limits.cancel = &token;
+  EXPECT_EQ(limits.interruption(), LimitReason::None);
+  token.cancel();
+  EXPECT_EQ(limits.withSeconds(0).interruption(), LimitReason::Cancelled);
+}
+
 }  // namespace
 }  // namespace goal_alignment
