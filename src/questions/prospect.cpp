@@ -11,18 +11,6 @@ using Ending = Prospect::Ending;
 
 namespace {
 
-/// The candidates whose answers still matter: those open in a live conflict.
-CandidateSet mattering(const Situation& situation) {
-  CandidateSet result(situation.knowledge.size());
-  for (const Conflict& conflict : situation.conflicts) {
-    if (situation.isLive(conflict)) result |= conflict.members;
-  }
-  for (std::size_t f = 0; f < situation.knowledge.size(); ++f) {
-    if (situation.knowledge[f] != Knowledge::Open) result.reset(f);
-  }
-  return result;
-}
-
 Ending endingOf(const Situation& situation) {
   Ending ending = Ending::Plan;
   for (const Conflict& conflict : situation.conflicts) {
@@ -42,7 +30,7 @@ Ending endingOf(const Situation& situation) {
 
 Prospect prospect(const Situation& situation, const std::vector<std::size_t>& candidates,
                   Knowledge answer) {
-  CandidateSet before = mattering(situation);
+  CandidateSet before = situation.mattering();
   Situation then = situation;
   for (const std::size_t f : candidates) {
     then.knowledge[f] = answer;
@@ -50,7 +38,7 @@ Prospect prospect(const Situation& situation, const std::vector<std::size_t>& ca
   }
   Prospect result;
   result.ending = endingOf(then);
-  if (result.ending == Ending::Open) result.left = mattering(then).count();
+  if (result.ending == Ending::Open) result.left = then.mattering().count();
   result.settled = before.count() - result.left;
   return result;
 }

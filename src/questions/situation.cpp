@@ -27,6 +27,17 @@ std::size_t Situation::openMembers(const Conflict& conflict) const {
   return count;
 }
 
+achievability::CandidateSet Situation::mattering() const {
+  achievability::CandidateSet result(knowledge.size());
+  for (const Conflict& conflict : conflicts) {
+    if (isLive(conflict)) result |= conflict.members;
+  }
+  for (std::size_t f = 0; f < knowledge.size(); ++f) {
+    if (knowledge[f] != Knowledge::Open) result.reset(f);
+  }
+  return result;
+}
+
 std::optional<std::size_t> smallestLiveConflict(const Situation& situation, std::size_t candidate) {
   std::optional<std::size_t> best;
   const auto key = [&](std::size_t i) {

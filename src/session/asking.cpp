@@ -6,7 +6,6 @@
 /// What is asked, why, and how much more may follow.
 namespace goal_alignment::session {
 
-using achievability::CandidateSet;
 using achievability::Conflict;
 using questions::Knowledge;
 
@@ -34,7 +33,7 @@ void Session::Implementation::ask(const std::vector<Dialogue::Posed>& posed) {
       asked > asked_before_ + static_cast<std::size_t>(options_.max_questions)) {
     finish(OutcomeCode::QuestionLimit,
            "the limit of questions is reached, and the outcome still depends on " +
-               spelling(dialogue_.fluents()[candidates.front()].atom));
+               listed({dialogue_.fluents()[candidates.front()]}));
     return;
   }
   const questions::Situation now = situation();
@@ -45,7 +44,7 @@ void Session::Implementation::ask(const std::vector<Dialogue::Posed>& posed) {
     view.probabilities.push_back(beliefs_[candidate]);
   }
   view.asked = asked - 1;
-  view.max_remaining = mostRemaining(askable(now));
+  view.max_remaining = mostRemaining(now);
   view.bound_is_provisional = !robot().complete();
   view.if_yes = questions::prospect(now, candidates, Knowledge::Wanted);
   view.if_no = questions::prospect(now, candidates, Knowledge::NotWanted);
@@ -54,24 +53,17 @@ void Session::Implementation::ask(const std::vector<Dialogue::Posed>& posed) {
   state_ = State::AwaitingAnswer;
 }
 
-/// Whom a question may still be about.
-CandidateSet Session::Implementation::askable(const questions::Situation& now) const {
-  CandidateSet askable = ~robot().alwaysTrue();
-  const bool costs_matter = options_.max_extra_cost < std::numeric_limits<double>::infinity();
-  if (!policy_->usesConflicts()) {
-    askable.set();
-  } else if (robot().complete() && !costs_matter) {
-    askable.reset();
-    for (const Conflict& conflict : now.conflicts) {
-      if (now.isLive(conflict)) askable |= conflict.members;
-    }
+/// How many candidates a question may still be about. Each question is about one at least.
+std::size_t Session::Implementation::mostRemaining(const questions::Situation& now) const {
+  if (policy_->usesConflicts() && robot().complete() && !costsMatter())
+    return now.mattering().count();
+  const bool any = !policy_->usesConflicts();
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < now.knowledge.size(); ++f) {
+    const bool askable = any || !robot().alwaysTrue().test(f);
+    if (askable && now.knowledge[f] == Knowledge::Open) ++count;
   }
-  return askable;
-}
-
-/// A question asks about one candidate at least.
-std::size_t Session::Implementation::mostRemaining(const CandidateSet& askable) const {
-  return (askable & dialogue_.with(Knowledge::Open)).count();
+  return count;
 }
 
 }  // namespace goal_alignment::session

@@ -29,28 +29,24 @@ void Session::Implementation::conclude(const CandidateSet& achieved, const task:
     outcome.message += "; nobody was asked about this, it was assumed not to matter: " +
                        listed(outcome.plan.assumed_not_wanted);
   }
-  std::vector<Literal> promised = problem_->specified;
-  const std::vector<Literal> kept = fluents(achieved);
-  promised.insert(promised.end(), kept.begin(), kept.end());
-  const auto fault = validation::fault(problem_->robot, outcome.plan.steps, promised, cancelOnly());
+  const auto fault =
+      validation::fault(problem_->robot, outcome.plan.steps, specifiedAnd(achieved), cancelOnly());
   if (fault) throw Exception("the plan found did not pass validation: " + *fault);
   finish(std::move(outcome));
   const std::chrono::duration<double> took = Limits::Clock::now() - began;
   statistics_.plan += took.count();
 }
 
-bool Session::Implementation::humanPlanAchieves(const std::vector<Literal>& kept) const {
-  if (!robot_side_.human_plan_runs) return false;
-  std::vector<Literal> all = problem_->specified;
-  all.insert(all.end(), kept.begin(), kept.end());
-  return !validation::fault(problem_->robot, problem_->human_plan, all, cancelOnly());
+bool Session::Implementation::humanPlanAchieves(const std::vector<Literal>& goal) const {
+  return robot_side_.human_plan_runs &&
+         !validation::fault(problem_->robot, problem_->human_plan, goal, cancelOnly());
 }
 
 FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
                                              const task::Plan& first_plan) {
   FinalPlan plan;
   plan.steps = task::names(robot().task(), first_plan);
-  const std::vector<Literal> kept = fluents(achieved);
+  const CandidateSet not_wanted = dialogue_.with(Knowledge::NotWanted);
   if (options_.plan == PlanMode::Optimal) {
     const search::Result best = robot().optimalPlan(achieved, limits());
     if (best.limit == LimitReason::Cancelled) throw LimitReached(best.limit, "the final plan");
@@ -61,20 +57,17 @@ FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
     if (best.limit == LimitReason::Cancelled) throw LimitReached(best.limit, "the final plan");
     plan.optimal = best.optimal;
     plan.steps = task::names(robot().task(), best.plan);
-  } else if (humanPlanAchieves(kept)) {
+  } else if (humanPlanAchieves(specifiedAnd(achieved))) {
     plan.steps = problem_->human_plan;  // the one to prefer where it gives all that is needed
-  } else if (trueAtEnd(first_plan).intersects(dialogue_.with(Knowledge::NotWanted))) {
+  } else if (not_wanted.any() && trueAtEnd(first_plan).intersects(not_wanted)) {
     // What is remembered does more than is wanted by now.
     plan.steps = task::names(robot().task(), cheaply(achieved, first_plan).plan);
   }
   const validation::Execution execution =
       validation::execute(problem_->robot, plan.steps, cancelOnly());
   plan.cost = unit_costs_ ? static_cast<std::int64_t>(plan.steps.size()) : execution.cost();
-  plan.guaranteed = problem_->specified;
   const CandidateSet asked = dialogue_.with(Knowledge::Wanted) | dialogue_.with(Knowledge::Unsure);
-  const std::vector<Literal> wanted = fluents(asked);
-  plan.guaranteed.insert(plan.guaranteed.end(), wanted.begin(), wanted.end());
-  const CandidateSet not_wanted = dialogue_.with(Knowledge::NotWanted);
+  plan.guaranteed = specifiedAnd(asked);
   plan.kept_unasked = fluents(achieved - asked - not_wanted);
   plan.not_wanted = fluents(not_wanted - dialogue_.assumed());
   plan.assumed_not_wanted = fluents(not_wanted & dialogue_.assumed());
@@ -104,6 +97,13 @@ std::vector<Literal> Session::Implementation::fluents(const CandidateSet& set) c
   std::vector<Literal> result;
   for (const std::size_t f : achievability::members(set))
     result.push_back(dialogue_.fluents()[f]);
+  return result;
+}
+
+std::vector<Literal> Session::Implementation::specifiedAnd(const CandidateSet& set) const {
+  std::vector<Literal> result = problem_->specified;
+  const std::vector<Literal> more = fluents(set);
+  result.insert(result.end(), more.begin(), more.end());
   return result;
 }
 

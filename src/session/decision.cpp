@@ -40,12 +40,10 @@ bool Session::Implementation::openQuestionMatters() const {
                        [](const Reason& reason) { return reason.extra_cost > 0; });
   }
   const auto& waiting = dialogue_.openCandidates();
+  const CandidateSet mattering = now.mattering();
   return as_it_is.ending == questions::Prospect::Ending::Open &&
-         std::any_of(now.conflicts.begin(), now.conflicts.end(), [&](const Conflict& conflict) {
-           return now.isLive(conflict) &&
-                  std::any_of(waiting.begin(), waiting.end(),
-                              [&](std::size_t f) { return conflict.members.test(f); });
-         });
+         std::any_of(waiting.begin(), waiting.end(),
+                     [&](std::size_t f) { return mattering.test(f); });
 }
 
 void Session::Implementation::decide() {

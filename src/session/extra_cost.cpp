@@ -27,6 +27,11 @@ constexpr std::uint64_t kOperatorsToTell = 4'000'000;
 
 }  // namespace
 
+/// Whether something may have to be asked about for its cost alone.
+bool Session::Implementation::costsMatter() const {
+  return !std::isinf(options_.max_extra_cost);
+}
+
 /// A plan for fewer things, made cheaper as far as so many states let.
 search::Improved Session::Implementation::cheapened(const CandidateSet& set, const task::Plan& plan,
                                                     std::uint64_t states) {
@@ -58,7 +63,7 @@ CandidateSet Session::Implementation::trueAtEnd(const task::Plan& plan) const {
 /// Asks about a candidate that nobody asked for and that costs more than is let pass; false where
 /// there is none. The least likely ones come first.
 bool Session::Implementation::askAboutCost(const CandidateSet& wished, const task::Plan& plan) {
-  if (std::isinf(options_.max_extra_cost)) return false;
+  if (!costsMatter()) return false;
   const CandidateSet asked = dialogue_.with(Knowledge::Wanted) | dialogue_.with(Knowledge::Unsure);
   const search::Improved least = cheapened(asked, plan, kStates);
   const auto extra = [&](task::Cost cost) { return cost - least.cost; };

@@ -194,7 +194,7 @@ void Session::Implementation::checkWhole() {
   const Check whole = robot().check(~none, limits());
   if (whole.verdict == Verdict::Achievable) {
     // It may cost more than the person would let pass for what nobody asked for.
-    if (!std::isinf(options_.max_extra_cost))
+    if (costsMatter())
       phase_ = Phase::Believe;
     else
       conclude(~none, whole.plan);

@@ -82,10 +82,10 @@ class Session::Implementation {
   void ask(const std::vector<questions::Choice>& choices);
   void ask(const std::vector<Dialogue::Posed>& posed);
   Reason reasonFor(const questions::Choice& choice) const;
-  std::size_t mostRemaining(const achievability::CandidateSet& askable) const;
-  achievability::CandidateSet askable(const questions::Situation& now) const;
+  std::size_t mostRemaining(const questions::Situation& now) const;
 
   // extra_cost.cpp: what keeping things costs that nobody asked for
+  bool costsMatter() const;
   bool askAboutCost(const achievability::CandidateSet& wished, const task::Plan& plan);
   search::Improved cheapened(const achievability::CandidateSet& set, const task::Plan& plan,
                              std::uint64_t states);
@@ -95,9 +95,10 @@ class Session::Implementation {
   // conclusion.cpp: outcomes
   void conclude(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
   FinalPlan finalPlan(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
-  bool humanPlanAchieves(const std::vector<Literal>& kept) const;
+  bool humanPlanAchieves(const std::vector<Literal>& goal) const;
   std::vector<Alternative> alternatives();
   std::vector<Literal> fluents(const achievability::CandidateSet& set) const;
+  std::vector<Literal> specifiedAnd(const achievability::CandidateSet& set) const;
   std::string listed(const std::vector<Literal>& literals) const;
   std::string askedFor() const;
 

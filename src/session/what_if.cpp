@@ -65,7 +65,7 @@ Consequence Session::Implementation::whatIf(const std::vector<Literal>& wanted,
   } else if (least.verdict == Verdict::Achievable && whole.verdict == Verdict::Unachievable) {
     result.kind = Consequence::Kind::Questions;
     then.conflicts = robot().conflicts();
-    result.max_remaining = (askable(then) & setOf(then.knowledge, Knowledge::Open)).count();
+    result.max_remaining = mostRemaining(then);
     for (const Conflict& conflict : then.conflicts) {
       if (!then.isLive(conflict)) continue;
       result.conflict = fluents(conflict.members);

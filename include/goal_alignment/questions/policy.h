@@ -27,6 +27,8 @@ struct Situation {
   bool isLive(const achievability::Conflict& conflict) const;
   /// How many of its candidates nobody has answered yet.
   std::size_t openMembers(const achievability::Conflict& conflict) const;
+  /// The open candidates in live conflicts: no other answer decides anything.
+  achievability::CandidateSet mattering() const;
 };
 
 /// What to ask, and the live conflict that makes its answer matter, if there is one.

@@ -68,6 +68,16 @@ TEST(Prospect, NothingIsProvenByWhatIsUnsureOrSuspected) {
   EXPECT_EQ(prospect(situation, {0, 1}, Knowledge::Wanted).ending, Ending::Undecided);
 }
 
+TEST(Prospect, WhatMattersIsOpenAndInALiveConflict) {
+  Situation situation = two();
+  EXPECT_EQ(achievability::members(situation.mattering()), (std::vector<std::size_t>{0, 1, 2, 3}));
+  situation.knowledge[2] = Knowledge::Unsure;
+  situation.knowledge[0] = Knowledge::NotWanted;
+  EXPECT_EQ(achievability::members(situation.mattering()), (std::vector<std::size_t>{1, 3}));
+  situation.knowledge[1] = Knowledge::NotWanted;
+  EXPECT_TRUE(situation.mattering().none());
+}
+
 TEST(Prospect, WithoutConflictsThereIsAPlan) {
   Situation situation = two();
   situation.conflicts.clear();
