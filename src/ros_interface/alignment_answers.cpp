@@ -50,10 +50,8 @@ std::optional<AnswerKind> answerOf(const CandidateView& candidate) {
 }
 
 bool isAsked(const session::Snapshot& snapshot, const Literal& fluent) {
-  return std::any_of(
-      snapshot.candidates.begin(), snapshot.candidates.end(), [&](const CandidateView& candidate) {
-        return candidate.fluent == fluent && candidate.state == CandidateState::Asked;
-      });
+  const CandidateView* candidate = snapshot.candidateOf(fluent);
+  return candidate != nullptr && candidate->state == CandidateState::Asked;
 }
 
 // Without what of the group was answered. The prospects are those of the whole, so that then
@@ -88,10 +86,7 @@ std::vector<Literal> AlignmentRunner::candidatesOf(const std::vector<Fluent>& fl
   }
   const session::Snapshot snapshot = kept_.session->snapshot();
   for (const Literal& literal : literals) {
-    const bool known =
-        std::any_of(snapshot.candidates.begin(), snapshot.candidates.end(),
-                    [&](const auto& candidate) { return candidate.fluent == literal; });
-    if (!known) {
+    if (snapshot.candidateOf(literal) == nullptr) {
       throw GoalError(fmt::format("{}: {} is no candidate of this session", field, literal.text()));
     }
   }

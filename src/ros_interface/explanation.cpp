@@ -21,7 +21,7 @@ class WhySpeaker : public Speaker {
   void speakOf(const Literal& fluent) {
     if (contains(snapshot().specified, fluent)) {
       say(fmt::format("You asked that {}.", clause(fluent)));
-    } else if (const CandidateView* candidate = candidateOf(fluent)) {
+    } else if (const CandidateView* candidate = snapshot().candidateOf(fluent)) {
       speakOf(*candidate);
     } else if (!modelsAreRead()) {
       admitIgnorance();
@@ -34,10 +34,7 @@ class WhySpeaker : public Speaker {
   void speakOfOpenQuestion() {
     say(explained_.open_why);
     for (const ConflictView& conflict : snapshot().conflicts) {
-      const auto rests = [&](const std::vector<Literal>& reason) {
-        return std::is_permutation(reason.begin(), reason.end(), conflict.fluents.begin(),
-                                   conflict.fluents.end());
-      };
+      const auto rests = [&](const std::vector<Literal>& reason) { return conflict.isOf(reason); };
       const auto& reasons = explained_.open_conflicts;
       if (std::any_of(reasons.begin(), reasons.end(), rests)) note(conflict);
     }
@@ -46,13 +43,8 @@ class WhySpeaker : public Speaker {
   // What the outcome rests on; where there is none, why nothing is asked.
   void speakOfOutcome() {
     const std::vector<Literal>& fluents = explained_.outcome_conflict;
-    const auto& conflicts = snapshot().conflicts;
-    const auto conflict =
-        std::find_if(conflicts.begin(), conflicts.end(), [&](const ConflictView& view) {
-          return std::is_permutation(view.fluents.begin(), view.fluents.end(), fluents.begin(),
-                                     fluents.end());
-        });
-    if (!fluents.empty() && conflict != conflicts.end()) {
+    const ConflictView* conflict = fluents.empty() ? nullptr : snapshot().conflictOf(fluents);
+    if (conflict != nullptr) {
       restOn(*conflict);
     } else if (hasEnded()) {
       say("No question is open.");
@@ -90,7 +82,7 @@ class WhyNotSpeaker : public Speaker {
     if (contains(snapshot().specified, fluent)) {
       say(fmt::format("I need not ask whether it matters that {}: you asked for it.",
                       clause(fluent)));
-    } else if (const CandidateView* candidate = candidateOf(fluent)) {
+    } else if (const CandidateView* candidate = snapshot().candidateOf(fluent)) {
       speakOf(*candidate);
     } else if (!modelsAreRead()) {
       admitIgnorance();

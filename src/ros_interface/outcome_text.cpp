@@ -16,12 +16,8 @@ using session::OutcomeCode;
 using session::Snapshot;
 
 bool isProven(const Snapshot& snapshot, const std::vector<Literal>& fluents) {
-  return std::any_of(snapshot.conflicts.begin(), snapshot.conflicts.end(),
-                     [&](const ConflictView& conflict) {
-                       return conflict.proven &&
-                              std::is_permutation(conflict.fluents.begin(), conflict.fluents.end(),
-                                                  fluents.begin(), fluents.end());
-                     });
+  const ConflictView* conflict = snapshot.conflictOf(fluents);
+  return conflict != nullptr && conflict->proven;
 }
 
 // Those of the conflict that nobody is sure of.

@@ -26,14 +26,6 @@ class Speaker {
     return std::find(fluents.begin(), fluents.end(), fluent) != fluents.end();
   }
 
-  /// Null: the fluent is none.
-  const session::CandidateView* candidateOf(const Literal& fluent) const {
-    for (const session::CandidateView& candidate : snapshot().candidates) {
-      if (candidate.fluent == fluent) return &candidate;
-    }
-    return nullptr;
-  }
-
   bool modelsAreRead() const {
     return !snapshot().candidates.empty() || !snapshot().specified.empty() ||
            !snapshot().condition.empty();

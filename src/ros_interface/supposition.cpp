@@ -12,7 +12,6 @@
 namespace goal_alignment::ros_interface {
 namespace {
 
-using session::CandidateView;
 using session::ConflictView;
 using session::Consequence;
 using session::Snapshot;
@@ -21,17 +20,12 @@ bool contains(const std::vector<Literal>& fluents, const Literal& fluent) {
   return std::find(fluents.begin(), fluents.end(), fluent) != fluents.end();
 }
 
-bool isCandidate(const Snapshot& snapshot, const Literal& fluent) {
-  return std::any_of(snapshot.candidates.begin(), snapshot.candidates.end(),
-                     [&](const CandidateView& candidate) { return candidate.fluent == fluent; });
-}
-
 // Why not; empty: it can be supposed.
 std::string suppose(const Literal& fluent, const Snapshot& snapshot, Supposition& supposed) {
   const Literal opposite{fluent.atom, !fluent.negated};
-  if (isCandidate(snapshot, fluent)) {
+  if (snapshot.candidateOf(fluent) != nullptr) {
     supposed.wanted.push_back(fluent);
-  } else if (fluent.negated && isCandidate(snapshot, opposite)) {
+  } else if (fluent.negated && snapshot.candidateOf(opposite) != nullptr) {
     supposed.not_wanted.push_back(opposite);
   } else if (contains(snapshot.specified, opposite)) {
     return fmt::format("{} is part of the specified goal", opposite.text());
@@ -52,11 +46,7 @@ std::string planOf(const std::vector<GroundName>& steps) {
 
 Conflict conflictOf(const std::vector<Literal>& fluents, bool proven, const Snapshot& then,
                     const phrasing::Phrases& phrases) {
-  for (const ConflictView& known : then.conflicts) {
-    if (std::is_permutation(known.fluents.begin(), known.fluents.end(), fluents.begin(),
-                            fluents.end()))
-      return toMessage(known, phrases);
-  }
+  if (const ConflictView* known = then.conflictOf(fluents)) return toMessage(*known, phrases);
   return toMessage(ConflictView{fluents, proven, false, true}, phrases);
 }
 

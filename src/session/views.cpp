@@ -16,6 +16,24 @@ constexpr float kPhases = 6;
 
 }  // namespace
 
+bool ConflictView::isOf(const std::vector<Literal>& these) const {
+  return std::is_permutation(fluents.begin(), fluents.end(), these.begin(), these.end());
+}
+
+const CandidateView* Snapshot::candidateOf(const Literal& fluent) const {
+  for (const CandidateView& candidate : candidates) {
+    if (candidate.fluent == fluent) return &candidate;
+  }
+  return nullptr;
+}
+
+const ConflictView* Snapshot::conflictOf(const std::vector<Literal>& these) const {
+  for (const ConflictView& conflict : conflicts) {
+    if (conflict.isOf(these)) return &conflict;
+  }
+  return nullptr;
+}
+
 Snapshot Session::Implementation::snapshot() const {
   Snapshot view;
   view.state = state_;

@@ -89,6 +89,9 @@ struct ConflictView {
   bool proven = false;
   bool minimal = false;
   bool live = false;  ///< no fluent of it was answered NO
+
+  /// Whether these are its fluents, in any order.
+  bool isOf(const std::vector<Literal>& these) const;
 };
 
 using questions::Reason;
@@ -141,6 +144,10 @@ struct Snapshot {
   bool conflicts_complete = false;
   std::size_t questions_asked = 0;
   std::size_t max_remaining = 0;
+
+  /// Null where there is none. They point into this snapshot.
+  const CandidateView* candidateOf(const Literal& fluent) const;
+  const ConflictView* conflictOf(const std::vector<Literal>& these) const;
 };
 
 /// Where the time went, in seconds, and how often a planner ran.

@@ -18,6 +18,7 @@ using oracles::Hagl;
 using samples::atFirstQuestion;
 using samples::code;
 using samples::honest;
+using samples::literal;
 using samples::literals;
 using samples::options;
 using samples::talk;
@@ -126,6 +127,22 @@ RC_GTEST_PROP(Snapshot, SettledIsNeverAskedAndOpenIsInALiveConflict, ()) {
   for (const CandidateView& candidate : session.snapshot().candidates) {
     RC_ASSERT(candidate.state != CandidateState::Asked);
   }
+}
+
+TEST(Snapshot, FindsCandidatesAndConflicts) {
+  const Session session = atFirstQuestion();
+  const Snapshot view = session.snapshot();
+  ASSERT_NE(view.candidateOf(literal("(held a)")), nullptr);
+  EXPECT_EQ(view.candidateOf(literal("(held a)"))->fluent, literal("(held a)"));
+  EXPECT_EQ(view.candidateOf(literal("(down b)")), nullptr);  // it was asked for
+  EXPECT_EQ(view.candidateOf(literal("(not (held a))")), nullptr);
+  const ConflictView* conflict = view.conflictOf(literals({"(held a)", "(free)"}));
+  ASSERT_NE(conflict, nullptr);
+  EXPECT_EQ(view.conflictOf(literals({"(free)", "(held a)"})), conflict);
+  EXPECT_TRUE(conflict->isOf(literals({"(free)", "(held a)"})));
+  EXPECT_FALSE(conflict->isOf(literals({"(free)"})));
+  EXPECT_EQ(view.conflictOf(literals({"(free)"})), nullptr);
+  EXPECT_EQ(view.conflictOf({}), nullptr);
 }
 
 }  // namespace
