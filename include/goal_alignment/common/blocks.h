@@ -20,7 +20,7 @@ class BlockVector {
   static_assert(std::is_trivially_destructible<T>::value, "nobody visits the elements in the end");
 
  public:
-  void push_back(T value) {
+  void push_back(T value) {  // NOLINT(readability-identifier-naming): as a std::vector
     if (size_ == blocks_.size() * kPerBlock) blocks_.emplace_back(new T[kPerBlock]);
     blocks_.back()[size_++ % kPerBlock] = std::move(value);
   }

@@ -45,7 +45,7 @@ class ShortVector {
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
 
-  void push_back(T value) {
+  void push_back(T value) {  // NOLINT(readability-identifier-naming): as a std::vector
     if (size_ == capacity_) reserve(2 * std::size_t{capacity_});
     data()[size_++] = value;
   }
