@@ -58,7 +58,7 @@ BENCHMARK_CAPTURE(cancelAnywhere, grounding, wideAction(32), false, 1.5)
     ->UseManualTime()
     ->Iterations(30)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(cancelAnywhere, operators, wideAction(10), false, 5.0)
+BENCHMARK_CAPTURE(cancelAnywhere, operators, wideAction(10), false, 2.0)
     ->UseManualTime()
     ->Iterations(30)
     ->Unit(benchmark::kMillisecond);

@@ -8,10 +8,12 @@ namespace goal_alignment::grounding {
 using task::FactId;
 
 FactTable::FactTable(const pddl::Model& model, const RelaxedReachability& reached,
-                     const std::vector<bool>& changes, const Limits& limits)
+                     const std::vector<bool>& changes, std::vector<Literal>& facts,
+                     const Limits& limits)
     : model_(model),
       reached_(reached),
       changes_(changes),
+      facts_(facts),
       fact_(reached.atoms.size(), kNoFact),
       complement_(reached.atoms.size(), kNoFact) {
   LimitMonitor monitor(limits);

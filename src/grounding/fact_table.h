@@ -25,9 +25,10 @@ struct Decided {
 /// whose negation somebody asks for.
 class FactTable {
  public:
-  /// `changes`: by AtomId. All but the limits must outlive the table. Throws LimitReached.
+  /// `changes`: by AtomId. `facts`: where they are written. All but the limits must outlive the
+  /// table. Throws LimitReached.
   FactTable(const pddl::Model& model, const RelaxedReachability& reached,
-            const std::vector<bool>& changes, const Limits& limits);
+            const std::vector<bool>& changes, std::vector<Literal>& facts, const Limits& limits);
 
   AtomId find(const pddl::Atom& atom) const;
 
@@ -44,7 +45,6 @@ class FactTable {
   task::FactId addOpposite(task::FactId fact);
 
   const std::vector<Literal>& facts() const { return facts_; }
-  std::vector<Literal> releaseFacts() { return std::move(facts_); }
   task::FactSet initial() const { return task::makeFactSet(initial_); }
 
  private:
@@ -53,7 +53,7 @@ class FactTable {
   const pddl::Model& model_;
   const RelaxedReachability& reached_;
   const std::vector<bool>& changes_;
-  std::vector<Literal> facts_;
+  std::vector<Literal>& facts_;
   std::vector<AtomId> atom_of_;  // by FactId
   std::vector<task::FactId> fact_;
   std::vector<task::FactId> complement_;

@@ -26,17 +26,17 @@ class TaskBuilder {
   GroundTask build(const std::vector<Literal>& literals) {
     reached_ = relaxedReachability(model_, limits_);
     findChangingAtoms();
-    FactTable facts(model_, reached_, changes_, limits_);
-    OperatorBuilder operators(model_, reached_, changes_, facts, options_, limits_);
+    FactTable facts(model_, reached_, changes_, result_.task.facts, limits_);
+    OperatorBuilder operators(model_, reached_, changes_, facts, result_.task.operators, options_,
+                              limits_);
     for (const Literal& literal : literals) {
       if (!literal.negated) continue;
       if (const auto atom = model_.resolve(literal.atom)) facts.decide(*atom, true);
     }
     groundGoalCondition(facts);
-    result_.task.operators = operators.build();
+    operators.build();
     nameAtoms(facts);
     result_.task.initial = facts.initial();
-    result_.task.facts = facts.releaseFacts();
     return std::move(result_);
   }
 

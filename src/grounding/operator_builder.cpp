@@ -39,7 +39,8 @@ void insert(FactSet& into, const FactSet& what) {
 
 OperatorBuilder::OperatorBuilder(const pddl::Model& model, const RelaxedReachability& reached,
                                  const std::vector<bool>& changes, FactTable& facts,
-                                 const Options& options, const Limits& limits)
+                                 std::vector<task::Operator>& operators, const Options& options,
+                                 const Limits& limits)
     : model_(model),
       reached_(reached),
       changes_(changes),
@@ -47,7 +48,8 @@ OperatorBuilder::OperatorBuilder(const pddl::Model& model, const RelaxedReachabi
       options_(options),
       limits_(limits),
       monitor_(limits),
-      conditions_(model, facts, limits) {
+      conditions_(model, facts, limits),
+      operators_(operators) {
   for (const Schema& schema : model.schemas) {
     variables_.push_back(schema.parameters);
     variables_.back().insert(variables_.back().end(), schema.quantified.begin(),
@@ -55,7 +57,7 @@ OperatorBuilder::OperatorBuilder(const pddl::Model& model, const RelaxedReachabi
   }
 }
 
-std::vector<Operator> OperatorBuilder::build() {
+void OperatorBuilder::build() {
   collectGroups();
   // Growing bit by bit, it would move ever more operators in one go.
   operators_.reserve(group_ends_.size());
@@ -74,7 +76,6 @@ std::vector<Operator> OperatorBuilder::build() {
     ++kept;
   }
   operators_.resize(kept);
-  return std::move(operators_);
 }
 
 const Rule& OperatorBuilder::ruleOf(std::size_t instantiation) const {

@@ -20,12 +20,14 @@ namespace goal_alignment::grounding {
 /// once all conditions have named the ones they need.
 class OperatorBuilder {
  public:
+  /// `operators`: where they are written. All but options and limits must outlive this.
   OperatorBuilder(const pddl::Model& model, const RelaxedReachability& reached,
-                  const std::vector<bool>& changes, FactTable& facts, const Options& options,
+                  const std::vector<bool>& changes, FactTable& facts,
+                  std::vector<task::Operator>& operators, const Options& options,
                   const Limits& limits);
 
-  /// Throws LimitReached; pddl::SemanticError, pddl::UnsupportedError as ground() does.
-  std::vector<task::Operator> build();
+  /// Once. Throws LimitReached; pddl::SemanticError, pddl::UnsupportedError as ground() does.
+  void build();
 
  private:
   /// All instantiations of one action with its arguments: one for each alternative of its
@@ -74,7 +76,7 @@ class OperatorBuilder {
   std::vector<std::vector<pddl::Parameter>> variables_;  // by schema
   std::vector<std::uint32_t> members_;                   // instantiations, group by group …
   std::vector<std::size_t> group_ends_;  // … each of which ends before this one of them
-  std::vector<task::Operator> operators_;
+  std::vector<task::Operator>& operators_;
   std::size_t bytes_ = 0;
 };
 

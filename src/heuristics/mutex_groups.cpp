@@ -103,7 +103,7 @@ namespace {
 /// facts that no group holds stand alone.
 class Cover {
  public:
-  explicit Cover(std::size_t facts) : covered_(facts, false) {}
+  Cover(std::size_t facts, LimitMonitor& monitor) : monitor_(monitor), covered_(facts, false) {}
 
   void offer(FactSet group) {
     if (!group.empty()) offers_.push({group.size(), ~offer_count_++, std::move(group)});
@@ -114,6 +114,7 @@ class Cover {
   std::vector<FactSet> take(Regrow&& regrow) {
     std::vector<FactSet> taken;
     while (!offers_.empty()) {
+      poll(monitor_);
       FactSet group = std::get<2>(offers_.top());
       offers_.pop();
       const std::size_t offered = group.size();
@@ -130,7 +131,10 @@ class Cover {
     for (FactId fact = 0; fact < covered_.size(); ++fact) {
       if (!covered_[fact]) taken.push_back({fact});
     }
-    std::sort(taken.begin(), taken.end());
+    std::sort(taken.begin(), taken.end(), [this](const FactSet& a, const FactSet& b) {
+      poll(monitor_);
+      return a < b;
+    });
     return taken;
   }
 
@@ -139,6 +143,7 @@ class Cover {
  private:
   using Offer = std::tuple<std::size_t, std::uint64_t, FactSet>;  // the larger, then the earlier
 
+  LimitMonitor& monitor_;
   std::vector<bool> covered_;
   std::uint64_t offer_count_ = 0;
   std::priority_queue<Offer> offers_;
@@ -193,7 +198,7 @@ MutexGroups groupsFromPairs(const Task& task, const MutexTable& mutexes, const L
     }
     task::setBit(open.data(), f);
   }
-  Cover cover(facts);
+  Cover cover(facts, monitor);
   // A clique that contains a fact is found again from it: one seed a clique is enough to begin
   // with.
   std::vector<bool> seen(facts, false);
@@ -339,7 +344,7 @@ class InvariantSearch {
 MutexGroups groupsFromInvariants(const Task& task, const Limits& limits) {
   LimitMonitor monitor(limits);
   InvariantSearch search(task, monitor);
-  Cover cover(task.facts.size());
+  Cover cover(task.facts.size(), monitor);
   std::vector<bool> seen(task.facts.size(), false);
   for (FactId fact = 0; fact < task.facts.size(); ++fact) {
     if (seen[fact]) continue;

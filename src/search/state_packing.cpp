@@ -25,8 +25,8 @@ std::uint32_t bitsFor(std::uint32_t values) {
 StatePacking::StatePacking(const task::Task& task, const heuristics::MutexGroups& groups,
                            const Limits& limits)
     : task_(task), groups_(groups), state_words_(task::wordsFor(task.facts.size())) {
-  placeGroups();
   LimitMonitor monitor(limits);
+  placeGroups(monitor);
   change_begin_.reserve(task.operators.size() + 1);
   for (const task::Operator& op : task.operators) {
     pollOrThrow(monitor, "preparing the search");
@@ -37,7 +37,7 @@ StatePacking::StatePacking(const task::Task& task, const heuristics::MutexGroups
 }
 
 /// The widest first, each into the first word that has room for it; none lies across two words.
-void StatePacking::placeGroups() {
+void StatePacking::placeGroups(LimitMonitor& monitor) {
   const std::size_t count = groups_.groups().size();
   places_.resize(count);
   std::vector<std::uint32_t> order(count);
@@ -48,6 +48,7 @@ void StatePacking::placeGroups() {
   std::vector<std::uint32_t> used(1, 0);
   std::size_t first_with_room = 0;
   for (const std::uint32_t group : order) {
+    pollOrThrow(monitor, "preparing the search");
     const std::uint32_t bits = width(group);
     while (first_with_room < used.size() && used[first_with_room] == task::kWordBits)
       ++first_with_room;

@@ -5,9 +5,16 @@
 #include <iterator>
 #include <utility>
 
+#include "goal_alignment/common/free_elsewhere.h"
 #include "goal_alignment/task/state.h"
 
 namespace goal_alignment::task {
+
+Task::~Task() {
+  constexpr std::size_t kSoonFreed = 50'000;
+  if (facts.size() + operators.size() <= kSoonFreed) return;
+  freeElsewhere(std::make_pair(std::move(facts), std::move(operators)));
+}
 
 Cost cost(const Task& task, const Plan& plan) {
   Cost total = 0;

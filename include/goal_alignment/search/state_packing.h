@@ -72,7 +72,7 @@ class StatePacking {
     task::Word to;
   };
 
-  void placeGroups();
+  void placeGroups(LimitMonitor& monitor);
   void addChanges(const task::Operator& op);
   task::Word value(task::FactId fact) const;
   task::Word none(std::size_t group) const;

@@ -51,10 +51,18 @@ struct Goal {
 Goal withFacts(Goal goal, std::vector<FactId> facts);
 
 /// Facts, operators and an initial state. Goals are no part of it: one task serves many goal sets.
+/// A large one is freed by another thread.
 struct Task {
   std::vector<Literal> facts;  ///< by FactId; negated: a complementary fact
   std::vector<Operator> operators;
   FactSet initial;
+
+  Task() = default;
+  Task(const Task&) = default;
+  Task(Task&&) = default;
+  Task& operator=(const Task&) = default;
+  Task& operator=(Task&&) = default;
+  ~Task();
 };
 
 /// Operators in the order of their execution.
