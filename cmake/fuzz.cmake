@@ -8,7 +8,7 @@ set(fuzz_flags -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all -D_GLIB
 
 # The floors that text from outside goes through, compiled once more with coverage.
 set(fuzz_sources)
-foreach(floor common pddl task grounding phrasing)
+foreach(floor common pddl task grounding whereabouts phrasing)
   file(GLOB floor_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${floor}/*.cpp)
   list(APPEND fuzz_sources ${floor_sources})
 endforeach()

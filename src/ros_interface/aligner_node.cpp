@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "goal_alignment/pddl/model.h"
+#include "goal_alignment/ros_interface/model_source.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 #include "goal_alignment/ros_interface/node_options.h"
 #include "goal_alignment/ros_interface/package_files.h"
@@ -56,7 +57,7 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
       ask_human_(
           node, [this](const Answer::Request& request) { return submit(request); },
           [this](const std::string& complaint) { announcer_.tell(complaint); }),
-      runner_(private_node, {announcer_, bridge_, ask_human_, journal_, facts_, explainer_}),
+      runner_(private_node, {announcer_, bridge_, ask_human_, journal_, facts_, tf_, explainer_}),
       align_(private_node, runner_),
       tasks_(node.subscribe(kHumanTaskTopic, kTaskQueueSize, &AlignerNode::takeTask, this)),
       answer_service_(private_node.advertiseService(kAnswerService, &AlignerNode::answer, this)),
@@ -87,11 +88,14 @@ void AlignerNode::nudgeSolver() {
   align_.nudge();
 }
 
-// A faulty parameter is told at the start, though only the next goal would be refused for it.
-void AlignerNode::checkParameters() const {
+// A faulty parameter is told at the start, though only the next goal would be refused for it. And
+// tf is heard from now on, so that it is known by then.
+void AlignerNode::checkParameters() {
   try {
-    NodeOptions::read(private_node_);
+    tf_.follow(rulesOf(NodeOptions::read(private_node_).tf_facts));
   } catch (const ParameterError& error) {
+    ROS_ERROR("%s", error.what());
+  } catch (const GoalError& error) {
     ROS_ERROR("%s", error.what());
   }
 }
@@ -163,7 +167,7 @@ bool AlignerNode::forget(std_srvs::Trigger::Request& /*request*/,
 }
 
 bool AlignerNode::setFacts(SetFacts::Request& request, SetFacts::Response& response) {
-  const session::Receipt receipt = facts_.set(request.facts);
+  const session::Receipt receipt = facts_.set(request.facts, tf_.rules().get());
   response.accepted = receipt.accepted;
   response.message = receipt.message;
   if (receipt.accepted) bridge_.nudge();
@@ -171,7 +175,7 @@ bool AlignerNode::setFacts(SetFacts::Request& request, SetFacts::Response& respo
 }
 
 bool AlignerNode::getFacts(GetFacts::Request& /*request*/, GetFacts::Response& response) {
-  response = facts_.tell();
+  response = facts_.tell(tf_.look());
   return true;
 }
 

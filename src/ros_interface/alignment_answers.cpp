@@ -114,13 +114,15 @@ void AlignmentRunner::takeUpJournal() {
 }
 
 void AlignmentRunner::applyAnswers() {
-  for (const AcceptedAnswer& answer : bridge_.take()) {
+  const std::vector<AcceptedAnswer> answers = bridge_.take();
+  for (const AcceptedAnswer& answer : answers) {
     apply(answer);
     // A dialogue that was declined is over; what came after must not begin it anew.
     if (kept_.session->state() == State::Done) return;
   }
-  // What was volunteered or revised may have made the open question needless.
-  if (kept_.session->state() != State::AwaitingAnswer) closeQuestion();
+  // What was volunteered or revised may have made the open question needless. New facts may, too,
+  // but mostly they don't; then nobody should be asked once more.
+  if (!answers.empty() && kept_.session->state() != State::AwaitingAnswer) closeQuestion();
 }
 
 void AlignmentRunner::apply(const AcceptedAnswer& answer) {
@@ -188,12 +190,21 @@ void AlignmentRunner::waitForAnswer(GoalTicket& ticket, const session::Snapshot&
   } else {
     openQuestion(ticket, now);
   }
-  const QuestionBridge::Wake wake = bridge_.wait(open_until_);
+  const QuestionBridge::Wake wake = awaitNews();
   const std::chrono::duration<double> waited = Clock::now() - began;
   kept_.waiting_time += waited.count();
   if (wake == QuestionBridge::Wake::TimedOut) treatSilence();
   // Dialogue nodes leave the question at once, not only when the next one is known.
   if (bridge_.openId() != open_.question_id) closeQuestion();
+}
+
+// As bridge_.wait() does; new facts are news.
+QuestionBridge::Wake AlignmentRunner::awaitNews() {
+  while (true) {
+    const QuestionBridge::Wake wake = bridge_.wait(std::min(open_until_, nextLook()));
+    if (wake != QuestionBridge::Wake::TimedOut || Clock::now() >= open_until_) return wake;
+    if (factsHaveChanged()) return QuestionBridge::Wake::News;
+  }
 }
 
 // A question put again has a new id, so that a dialogue node leaves the old call.
@@ -211,6 +222,7 @@ void AlignmentRunner::treatSilence() {
 }
 
 void AlignmentRunner::openQuestion(GoalTicket& ticket, const session::Snapshot& now) {
+  closeQuestion();  // one that new facts have replaced
   const session::QuestionView& view = *kept_.session->question();
   open_ = toMessage(stillAsked(view, now), kept_.phrases);
   open_view_ = view;

@@ -35,6 +35,8 @@ bool isDecided(OutcomeCode code) {
     case OutcomeCode::MemoryLimit:
     case OutcomeCode::NoAnswer:
     case OutcomeCode::QuestionLimit:
+    case OutcomeCode::InvalidModel:
+    case OutcomeCode::StateUnknown:
     case OutcomeCode::Internal:
       return false;
     default:
@@ -58,6 +60,7 @@ AlignmentRunner::AlignmentRunner(ros::NodeHandle private_node, const Parts& part
       ask_human_(parts.ask_human),
       journal_(parts.journal),
       facts_(parts.facts),
+      tf_(parts.tf),
       explainer_(parts.explainer) {}
 
 bool AlignmentRunner::stop(GoalTicket& ticket) {
@@ -80,6 +83,8 @@ void AlignmentRunner::run(GoalTicket& ticket) {
   } catch (const GoalError& error) {
     return refuse(ticket, invalidInput(error));
   } catch (const ParameterError& error) {
+    return refuse(ticket, invalidInput(error));
+  } catch (const whereabouts::RulesError& error) {
     return refuse(ticket, invalidInput(error));
   } catch (const std::exception& error) {
     return refuse(ticket, session::outcomeOf(error));
@@ -107,12 +112,17 @@ void AlignmentRunner::run(GoalTicket& ticket) {
 void AlignmentRunner::prepare(const AlignGoal& goal) {
   const NodeOptions options = NodeOptions::read(private_node_);
   warnAboutUnknown(options);
+  const auto rules = rulesOf(options.tf_facts);
   if (goal.continue_session.empty()) {
     begin(goal, options);
   } else {
+    if (rules && kept_.models_known) rules->check(*kept_.session->robotModel());
     continueSession(goal, options);
   }
   kept_.options = options;
+  tf_.follow(rules);
+  kept_.facts_known = false;
+  kept_.unknown_since.reset();
 }
 
 void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
@@ -178,8 +188,13 @@ void AlignmentRunner::loop(GoalTicket& ticket) {
   while (!ticket.ended()) {
     applyAnswers();
     takeUpFacts();
+    if (factsAreAwaited()) {
+      awaitFacts(ticket);
+      continue;
+    }
+    if (kept_.session->state() == State::Done && hasEnded()) break;
     const session::Snapshot now = step();
-    if (now.state == State::Done && hasEnded()) break;
+    if (now.state == State::Done) continue;  // what was said or seen meanwhile still counts
     if (now.state == State::AwaitingAnswer) {
       waitForAnswer(ticket, now);
       // One at a time: an answer or a cancel may have come meanwhile.
@@ -209,6 +224,7 @@ session::Snapshot AlignmentRunner::step() {
 void AlignmentRunner::takeUpModels() {
   kept_.models_known = true;
   facts_.setModel(*kept_.session->robotModel());
+  checkRules();
   takeUpJournal();
   const session::Snapshot now = kept_.session->snapshot();
   for (const auto* hidden :
@@ -225,23 +241,6 @@ void AlignmentRunner::warnIfNobodyIs(const std::string& hidden, const session::S
       [&](const session::CandidateView& view) { return view.fluent.atom.name == hidden; });
   if (known) return;
   announcer_.tell(fmt::format("no candidate has the hidden predicate {}", hidden));
-}
-
-void AlignmentRunner::takeUpFacts() {
-  if (!kept_.models_known || kept_.facts_seen == facts_.version()) return;
-  kept_.facts_seen = facts_.version();
-  std::vector<GroundName> left_out;
-  std::vector<GroundName> before = kept_.session->robotState();
-  std::sort(before.begin(), before.end());
-  const std::vector<GroundName> now = facts_.state(left_out);
-  for (const GroundName& fact : left_out) {
-    if (!kept_.told_left_out.insert(fact).second) continue;
-    announcer_.tell(
-        fmt::format("the fact {} is left out: this robot's model does not know it", fact.text()));
-  }
-  if (now == before) return;
-  kept_.session->setRobotState(now);
-  announcer_.tell("the robot's state has changed: I think again");
 }
 
 // An answer that came in while the last step ran was accepted, so it has to count.

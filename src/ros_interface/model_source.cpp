@@ -88,4 +88,14 @@ phrasing::Phrases phrasesOf(const std::string& file) {
   return phrasing::Phrases::fromYaml(source.text, source.name);
 }
 
+std::shared_ptr<const whereabouts::Rules> rulesOf(const std::string& file) {
+  if (file.empty()) return nullptr;
+  try {
+    const pddl::Source source = pddl::readFile(resolveFile(file));
+    return whereabouts::Rules::fromYaml(source.text, source.name);
+  } catch (const std::exception& error) {
+    throw GoalError(fmt::format("parameter ~tf_facts: {}", error.what()));
+  }
+}
+
 }  // namespace goal_alignment::ros_interface

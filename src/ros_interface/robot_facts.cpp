@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -25,7 +25,7 @@ Fluent toMessage(const GroundName& atom) {
 
 }  // namespace
 
-Receipt RobotFacts::set(const std::vector<Fluent>& facts) {
+Receipt RobotFacts::set(const std::vector<Fluent>& facts, const whereabouts::Rules* rules) {
   std::vector<Literal> literals;
   try {
     literals = toLiterals(facts, "facts");
@@ -48,10 +48,21 @@ Receipt RobotFacts::set(const std::vector<Fluent>& facts) {
       return {false, fmt::format("facts[{}]: {} is both true and false", i, literal.atom.text())};
     }
   }
+  std::string left_to_tf;
+  for (auto change = changes.begin(); change != changes.end();) {
+    const whereabouts::Rule* const owner = rules ? rules->ownerOf(change->first) : nullptr;
+    const bool is_left = owner != nullptr && owner->unknown == whereabouts::Unknown::Fail;
+    if (is_left) {
+      left_to_tf += fmt::format("{}{} comes from tf ({})", left_to_tf.empty() ? "" : ", ",
+                                change->first.text(), owner->place);
+    }
+    change = is_left ? changes.erase(change) : std::next(change);
+  }
+  if (changes.empty()) return {false, left_to_tf + ": it can't be set"};
   for (const auto& [atom, holds] : changes)
     all_[atom] = world_.set[atom] = holds;
   ++version_;
-  return {true, ""};
+  return {true, left_to_tf.empty() ? "" : "taken, but " + left_to_tf};
 }
 
 void RobotFacts::beginSession(const std::string& session_id, bool earlier_hold) {
@@ -72,11 +83,14 @@ RobotFacts::World RobotFacts::world() const {
   return world_;
 }
 
-std::vector<GroundName> RobotFacts::state(std::vector<GroundName>& left_out) const {
-  return stateOf(world(), left_out);
+std::vector<GroundName> RobotFacts::state(const whereabouts::Observation& seen,
+                                          std::vector<GroundName>& left_out) const {
+  return stateOf(world(), seen, left_out);
 }
 
-std::vector<GroundName> RobotFacts::stateOf(const World& world, std::vector<GroundName>& left_out) {
+std::vector<GroundName> RobotFacts::stateOf(const World& world,
+                                            const whereabouts::Observation& seen,
+                                            std::vector<GroundName>& left_out) {
   std::set<GroundName> atoms;
   for (const pddl::Atom& atom : world.model->init)
     atoms.insert(world.model->name(atom));
@@ -89,10 +103,11 @@ std::vector<GroundName> RobotFacts::stateOf(const World& world, std::vector<Grou
       atoms.erase(atom);
     }
   }
+  seen.overlay(atoms);
   return {atoms.begin(), atoms.end()};
 }
 
-GetFacts::Response RobotFacts::tell() const {
+GetFacts::Response RobotFacts::tell(const whereabouts::Observation& seen) const {
   const World now = world();
   GetFacts::Response response;
   response.session_id = now.session_id;
@@ -103,8 +118,11 @@ GetFacts::Response RobotFacts::tell() const {
   } else {
     response.known = 1;
     std::vector<GroundName> left_out;
-    for (const GroundName& atom : stateOf(now, left_out))
+    for (const GroundName& atom : stateOf(now, seen, left_out))
       response.facts.push_back(toMessage(atom));
+    for (const GroundName& atom : seen.unknown())
+      response.unknown.push_back(toMessage(atom));
+    response.message = seen.lament();
   }
   return response;
 }

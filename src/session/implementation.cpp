@@ -43,7 +43,8 @@ void validate(const Options& options) {
   questions::makePolicy(options.policy, {});  // throws for an unknown name
 }
 
-/// Outcomes after which the same dialogue can go on.
+/// Outcomes after which the same dialogue can go on. Models that are invalid may have been made so
+/// from outside; those that are not fail once more.
 bool leavesOpen(OutcomeCode code) {
   switch (code) {
     case OutcomeCode::Canceled:
@@ -53,6 +54,8 @@ bool leavesOpen(OutcomeCode code) {
     case OutcomeCode::Declined:
     case OutcomeCode::QuestionLimit:
     case OutcomeCode::UnsureBlocks:
+    case OutcomeCode::InvalidModel:
+    case OutcomeCode::StateUnknown:
       return true;
     default:
       return false;

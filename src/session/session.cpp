@@ -64,6 +64,10 @@ void Session::goOn(const Options& options) {
   implementation_->goOn(options);
 }
 
+void Session::breakOff(OutcomeCode code, const std::string& reason) {
+  if (state() != State::Idle) implementation_->finish(code, reason);
+}
+
 void Session::giveUpWaiting(const std::string& reason) {
   if (state() == State::AwaitingAnswer) implementation_->finish(OutcomeCode::NoAnswer, reason);
 }

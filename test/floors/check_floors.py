@@ -12,7 +12,7 @@ import sys
 FLOORS = {
     'common': 0,
     'pddl': 1, 'task': 1,
-    'validation': 2, 'grounding': 2, 'heuristics': 2,
+    'validation': 2, 'grounding': 2, 'heuristics': 2, 'whereabouts': 2,
     'search': 3,
     'achievability': 4,
     'alignment': 5,
@@ -28,6 +28,7 @@ CORE_TOP = 7
 ONLY = {
     'validation': {'common', 'pddl'},
     'heuristics': {'common', 'task'},
+    'whereabouts': {'common', 'pddl'},
     'rviz_panel': set(),
 }
 

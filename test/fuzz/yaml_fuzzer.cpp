@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "goal_alignment/common/yaml_reader.h"
 #include "goal_alignment/phrasing/phrases.h"
 #include "promise.h"
 #include "targets.h"
@@ -37,7 +38,7 @@ void phraseEverything(const phrasing::Phrases& phrases) {
 void yaml(std::string_view bytes) {
   try {
     phraseEverything(phrasing::Phrases::fromYaml(std::string(bytes), "x.yaml"));
-  } catch (const phrasing::PhraseError& refused) {
+  } catch (const YamlError& refused) {
     const std::string message = refused.what();
     promiseMessage(message);
     promise(message.rfind("x.yaml:", 0) == 0, "an error has a place: " + message);

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/phrasing/template_text.h"
 #include "goal_alignment/questions/prospect.h"
@@ -28,18 +27,12 @@
 /// that somebody who never saw PDDL can follow: `"made with" holds for tea and good leaves`.
 namespace goal_alignment::phrasing {
 
-/// A text that is no phrase file; what() is `name:line:column: expected …, found …`.
-class PhraseError : public Exception {
- public:
-  using Exception::Exception;
-};
-
 class Phrases {
  public:
   /// No templates: everything is read out as it is written.
   Phrases() = default;
 
-  /// Throws PhraseError. `source_name` is what the error calls the text. O(text).
+  /// Throws YamlError. `source_name` is what the error calls the text. O(text).
   static Phrases fromYaml(const std::string& text, const std::string& source_name);
 
   /// A clause: "the tea is made with the good leaves". Negated, without a template for it: "it is

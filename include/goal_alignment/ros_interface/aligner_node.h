@@ -26,6 +26,7 @@
 #include "goal_alignment/ros_interface/journal.h"
 #include "goal_alignment/ros_interface/question_bridge.h"
 #include "goal_alignment/ros_interface/robot_facts.h"
+#include "goal_alignment/ros_interface/tf_state_bridge.h"
 
 namespace goal_alignment::ros_interface {
 
@@ -50,7 +51,7 @@ class AlignerNode {
   bool setFacts(SetFacts::Request& request, SetFacts::Response& response);
   bool getFacts(GetFacts::Request& request, GetFacts::Response& response);
   session::Receipt submit(const Answer::Request& request);
-  void checkParameters() const;
+  void checkParameters();
   void nudgeSolver();
 
   template <typename Service>
@@ -63,6 +64,7 @@ class AlignerNode {
   Journal journal_;
   Diagnostics diagnostics_;
   RobotFacts facts_;
+  TfStateBridge tf_;
   Explainer explainer_;
   QuestionBridge bridge_;
   AskHumanClient ask_human_;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "goal_alignment/ros_interface/node_options.h"
 #include "goal_alignment/ros_interface/question_bridge.h"
 #include "goal_alignment/ros_interface/robot_facts.h"
+#include "goal_alignment/ros_interface/tf_state_bridge.h"
 #include "goal_alignment/session/session.h"
 
 namespace goal_alignment::ros_interface {
@@ -35,6 +37,7 @@ class AlignmentRunner {
     AskHumanClient& ask_human;
     Journal& journal;
     RobotFacts& facts;
+    TfStateBridge& tf;
     Explainer& explainer;
   };
 
@@ -72,7 +75,10 @@ class AlignmentRunner {
     std::string told_break;  // what was said about the human's plan
     bool models_known = false;
     bool ends_when_unsure = false;
-    unsigned facts_seen = 0;
+    unsigned facts_seen = 0;  // RobotFacts::version()
+    whereabouts::Observation seen;
+    bool facts_known = false;  // since the goal under way began
+    std::optional<Clock::time_point> unknown_since;
     std::set<GroundName> told_left_out;
     std::vector<JournalAnswer> journaled;  // not yet told to the session
     unsigned silences = 0;                 // how often the open question was put in vain
@@ -88,11 +94,21 @@ class AlignmentRunner {
   session::Snapshot step();  // and how things stand after it
   void takeUpModels();
   void warnIfNobodyIs(const std::string& hidden, const session::Snapshot& now);
-  void takeUpFacts();
   bool hasEnded();
   bool claimOutcome(GoalTicket& ticket);
   void conclude(GoalTicket& ticket);
   void refuse(GoalTicket& ticket, const session::Outcome& outcome);
+
+  // alignment_facts.cpp: what is so in the robot's world
+  void checkRules();
+  void takeUpFacts();
+  void missFacts(const whereabouts::Observation& seen);
+  bool patienceLasts();
+  void applyFacts(const whereabouts::Observation& seen);
+  bool factsAreAwaited() const;
+  bool factsHaveChanged();
+  void awaitFacts(GoalTicket& ticket);
+  Clock::time_point nextLook() const;
 
   // alignment_answers.cpp: how questions are put, and what becomes of the answers
   std::vector<Literal> candidatesOf(const std::vector<Fluent>& fluents,
@@ -104,6 +120,7 @@ class AlignmentRunner {
   void writeJournal() const;
   std::set<Literal> answered() const;
   void waitForAnswer(GoalTicket& ticket, const session::Snapshot& now);
+  QuestionBridge::Wake awaitNews();
   void treatSilence();
   void openQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void narrowQuestion(GoalTicket& ticket, const session::Snapshot& now);
@@ -126,6 +143,7 @@ class AlignmentRunner {
   AskHumanClient& ask_human_;
   Journal& journal_;
   RobotFacts& facts_;
+  TfStateBridge& tf_;
   Explainer& explainer_;
   Kept kept_;
   Question open_;                    // question_id 0: none

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "goal_alignment/ros_interface/node_options.h"
 #include "goal_alignment/session/options.h"
 #include "goal_alignment/session/session.h"
+#include "goal_alignment/whereabouts/rules.h"
 
 namespace goal_alignment::ros_interface {
 
@@ -27,5 +29,8 @@ session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options);
 
 /// The templates of the file; none for "". Throws std::runtime_error.
 phrasing::Phrases phrasesOf(const std::string& file);
+
+/// The rules of the file; null for "". Throws GoalError.
+std::shared_ptr<const whereabouts::Rules> rulesOf(const std::string& file);
 
 }  // namespace goal_alignment::ros_interface

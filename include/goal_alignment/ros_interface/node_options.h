@@ -37,6 +37,11 @@ struct NodeOptions {
   /// disk; 0: not at all.
   double journal_expiry = 604800;
 
+  std::string tf_facts;  ///< YAML file: facts from where things are; "": none
+  double tf_patience =
+      2;  ///< seconds of wall time, 0 … 3600: for so long unknown facts are awaited
+  double tf_period = 0.2;  ///< seconds of wall time, 0.01 … 60: how often tf is looked at meanwhile
+
   double diagnostic_period = 1;  ///< seconds of wall time, 0.01 … 3600; read at the start alone
 
   std::vector<std::string> unknown;  ///< private parameters that nobody reads

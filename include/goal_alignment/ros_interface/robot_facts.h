@@ -13,18 +13,21 @@
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/session/session.h"
+#include "goal_alignment/whereabouts/observer.h"
 
 namespace goal_alignment::ros_interface {
 
 /// What is so in the robot's world: the problem file of the session under way, or of the last one,
-/// which a goal may continue, changed by what ~set_facts said. Facts that were set also hold for
-/// later tasks whose models come from parameters; a goal that brings its own robot problem says
-/// itself what is so. Thread-safe.
+/// which a goal may continue, changed by what ~set_facts said, and last of all by what was seen of
+/// where things are. Facts that were set also hold for later tasks whose models come from
+/// parameters; a goal that brings its own robot problem says itself what is so. Thread-safe.
 class RobotFacts {
  public:
   /// All of the facts are taken, or none: a fact that the robot's model of the session can't have,
-  /// a name that is none, or a fact both true and false is refused with its index.
-  session::Receipt set(const std::vector<Fluent>& facts);
+  /// a name that is none, or a fact both true and false is refused with its index. What the rules
+  /// own (null: nothing) is left to them, and the message says so; with nothing else that is a
+  /// refusal. Where a rule trusts the file, it trusts what was set as well.
+  session::Receipt set(const std::vector<Fluent>& facts, const whereabouts::Rules* rules);
 
   /// Changes when the facts of the session may have.
   unsigned version() const { return version_; }
@@ -36,12 +39,13 @@ class RobotFacts {
   /// then none is refused as unknown.
   void setModel(const pddl::Model& model);
 
-  /// All atoms that are true now; sorted. Facts that were set and that the model can't have are
-  /// left out and named in `left_out`. Needs the model.
-  std::vector<GroundName> state(std::vector<GroundName>& left_out) const;
+  /// All atoms that are true now, and known to be; sorted. Facts that were set and that the model
+  /// can't have are left out and named in `left_out`. Needs the model.
+  std::vector<GroundName> state(const whereabouts::Observation& seen,
+                                std::vector<GroundName>& left_out) const;
 
   /// The answer of ~get_facts. Never waits for the solver thread.
-  GetFacts::Response tell() const;
+  GetFacts::Response tell(const whereabouts::Observation& seen) const;
 
  private:
   using Changes = std::map<GroundName, bool>;
@@ -54,7 +58,8 @@ class RobotFacts {
   };
 
   World world() const;
-  static std::vector<GroundName> stateOf(const World& world, std::vector<GroundName>& left_out);
+  static std::vector<GroundName> stateOf(const World& world, const whereabouts::Observation& seen,
+                                         std::vector<GroundName>& left_out);
 
   std::atomic<unsigned> version_{1};
   mutable std::mutex mutex_;  // guards all below

@@ -214,10 +214,14 @@ class Session {
 
   /// Goes on under the limits, the unsure_policy and the max_group_size of `options`;
   /// max_questions counts from here.
-  /// After an outcome that decided nothing (50, 53, 54, 60 to 62, 64) the work is taken up again
-  /// where it was left; a definite outcome stays. Throws std::invalid_argument like the
-  /// constructor.
+  /// After an outcome that decided nothing (50, 53, 54, 60 to 62, 64), or that was due to the world
+  /// outside (70, 73), the work is taken up again where it was left; a definite outcome stays.
+  /// Throws std::invalid_argument like the constructor.
   void goOn(const Options& options);
+
+  /// Something outside makes it senseless to go on: Done with this outcome, whatever was before;
+  /// the answers stay. Before begin() nothing happens.
+  void breakOff(OutcomeCode code, const std::string& reason);
 
   /// Nobody answered the open question in time: Done with NoAnswer. The answers given stay.
   void giveUpWaiting(const std::string& reason);

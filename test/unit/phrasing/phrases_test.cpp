@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "goal_alignment/common/yaml_reader.h"
+
 namespace goal_alignment::phrasing {
 namespace {
 
@@ -177,7 +179,7 @@ TEST(Phrases, ErrorsNamePlaceExpectationAndWhatStoodThere) {
     try {
       Phrases::fromYaml(row.yaml, "tea.yaml");
       ADD_FAILURE() << "accepted: " << row.yaml;
-    } catch (const PhraseError& error) {
+    } catch (const YamlError& error) {
       EXPECT_EQ(error.what(), "tea.yaml:" + row.position + ": " + row.message);
     }
   }

@@ -31,7 +31,7 @@ std::vector<GroundName> names(const std::vector<std::string>& texts) {
 
 std::vector<GroundName> stateOf(const RobotFacts& facts, std::vector<GroundName>* left_out = {}) {
   std::vector<GroundName> ignored;
-  return facts.state(left_out != nullptr ? *left_out : ignored);
+  return facts.state({}, left_out != nullptr ? *left_out : ignored);
 }
 
 TEST(RobotFacts, addAndRetract) {
@@ -39,10 +39,10 @@ TEST(RobotFacts, addAndRetract) {
   facts.setModel(hall());
   EXPECT_EQ(stateOf(facts), names({"(clean hall)"}));
   const unsigned before = facts.version();
-  EXPECT_TRUE(facts.set({fact("Lit", {"HALL"}), fact("clean", {"hall"}, true)}).accepted);
+  EXPECT_TRUE(facts.set({fact("Lit", {"HALL"}), fact("clean", {"hall"}, true)}, nullptr).accepted);
   EXPECT_NE(facts.version(), before);
   EXPECT_EQ(stateOf(facts), names({"(lit hall)"}));
-  EXPECT_TRUE(facts.set({fact("lit", {"hall"}, true)}).accepted);
+  EXPECT_TRUE(facts.set({fact("lit", {"hall"}, true)}, nullptr).accepted);
   EXPECT_TRUE(stateOf(facts).empty());
 }
 
@@ -50,7 +50,7 @@ TEST(RobotFacts, areTakenAllOrNone) {
   RobotFacts facts;
   facts.setModel(hall());
   const auto refused = [&](const std::vector<Fluent>& given, const std::string& what) {
-    const auto receipt = facts.set(given);
+    const auto receipt = facts.set(given, nullptr);
     EXPECT_FALSE(receipt.accepted);
     EXPECT_NE(receipt.message.find(what), std::string::npos) << receipt.message;
     EXPECT_EQ(stateOf(facts), names({"(clean hall)"}));
@@ -66,11 +66,11 @@ TEST(RobotFacts, areTakenAllOrNone) {
 
 TEST(RobotFacts, ofEarlierSessionsHoldWhereAsked) {
   RobotFacts facts;
-  EXPECT_TRUE(facts.set({fact("lit", {"hall"})}).accepted) << "no model is known yet";
+  EXPECT_TRUE(facts.set({fact("lit", {"hall"})}, nullptr).accepted) << "no model is known yet";
   facts.beginSession("one", false);
   facts.setModel(hall());
   EXPECT_EQ(stateOf(facts), names({"(clean hall)"})) << "the goal brings its own state";
-  EXPECT_TRUE(facts.set({fact("lit", {"attic"})}).accepted);
+  EXPECT_TRUE(facts.set({fact("lit", {"attic"})}, nullptr).accepted);
   EXPECT_EQ(stateOf(facts), names({"(clean hall)", "(lit attic)"}));
   facts.beginSession("two", true);
   facts.setModel(hall());
@@ -79,7 +79,7 @@ TEST(RobotFacts, ofEarlierSessionsHoldWhereAsked) {
 
 TEST(RobotFacts, thatAnotherModelDoesNotKnowAreNamed) {
   RobotFacts facts;
-  facts.set({fact("lit", {"cellar"}), fact("lit", {"hall"})});
+  facts.set({fact("lit", {"cellar"}), fact("lit", {"hall"})}, nullptr);
   facts.beginSession("one", true);
   facts.setModel(hall());
   std::vector<GroundName> left_out;
@@ -89,21 +89,85 @@ TEST(RobotFacts, thatAnotherModelDoesNotKnowAreNamed) {
 
 TEST(RobotFacts, areTold) {
   RobotFacts facts;
-  EXPECT_FALSE(facts.tell().known);
-  EXPECT_EQ(facts.tell().message, "no task was given yet");
+  EXPECT_FALSE(facts.tell({}).known);
+  EXPECT_EQ(facts.tell({}).message, "no task was given yet");
   facts.beginSession("one", true);
-  EXPECT_FALSE(facts.tell().known);
-  EXPECT_EQ(facts.tell().session_id, "one");
-  EXPECT_FALSE(facts.tell().message.empty());
+  EXPECT_FALSE(facts.tell({}).known);
+  EXPECT_EQ(facts.tell({}).session_id, "one");
+  EXPECT_FALSE(facts.tell({}).message.empty());
   facts.setModel(hall());
-  facts.set({fact("lit", {"attic"})});
-  const GetFacts::Response told = facts.tell();
+  facts.set({fact("lit", {"attic"})}, nullptr);
+  const GetFacts::Response told = facts.tell({});
   EXPECT_TRUE(told.known);
   EXPECT_EQ(told.session_id, "one");
   ASSERT_EQ(told.facts.size(), 2U);
   EXPECT_EQ(told.facts[0].name, "clean");
   EXPECT_EQ(told.facts[1].args, std::vector<std::string>{"attic"});
   EXPECT_TRUE(told.unknown.empty());
+  EXPECT_TRUE(told.message.empty());
+}
+
+// (lit hall) comes from tf; it is so where the robot is at the switch.
+whereabouts::Observer switchRule(const std::string& unknown) {
+  return whereabouts::Observer(
+      whereabouts::Rules::fromYaml("frames: {robot: base_link}\n"
+                                   "regions: {switch: {sphere: {radius: 1}}}\n"
+                                   "rules: [{fact: (lit hall), when: robot in switch, unknown: " +
+                                       unknown + "}]\n",
+                                   "rules.yaml"));
+}
+
+whereabouts::Sighting seenAt(double x) {
+  whereabouts::Sighting sighting;
+  sighting.known = true;
+  sighting.position.x = x;
+  return sighting;
+}
+
+TEST(RobotFacts, thatWereSeenReplaceAllOthers) {
+  RobotFacts facts;
+  facts.beginSession("one", true);
+  facts.setModel(hall());
+  whereabouts::Observer observer = switchRule("fail");
+  std::vector<GroundName> left_out;
+  EXPECT_EQ(facts.state(observer.observe({seenAt(0)}), left_out),
+            names({"(clean hall)", "(lit hall)"}));
+  // Set before there were rules.
+  EXPECT_TRUE(facts.set({fact("lit", {"hall"})}, nullptr).accepted);
+  EXPECT_EQ(facts.state(observer.observe({seenAt(9)}), left_out), names({"(clean hall)"}));
+  EXPECT_EQ(facts.state({}, left_out), names({"(clean hall)", "(lit hall)"}));
+
+  const GetFacts::Response blind = facts.tell(observer.observe({{}}));
+  EXPECT_TRUE(blind.known);
+  ASSERT_EQ(blind.facts.size(), 1U);
+  ASSERT_EQ(blind.unknown.size(), 1U);
+  EXPECT_EQ(blind.unknown[0].name, "lit");
+  EXPECT_NE(blind.message.find("base_link"), std::string::npos) << blind.message;
+}
+
+TEST(RobotFacts, thatComeFromTfCannotBeSet) {
+  RobotFacts facts;
+  facts.beginSession("one", true);
+  facts.setModel(hall());
+  const auto strict = switchRule("fail").rules();
+  const auto refused = facts.set({fact("lit", {"hall"}, true)}, strict.get());
+  EXPECT_FALSE(refused.accepted);
+  EXPECT_EQ(refused.message, "(lit hall) comes from tf (rules.yaml:3:16): it can't be set");
+  const auto partly = facts.set({fact("lit", {"hall"}), fact("lit", {"attic"})}, strict.get());
+  EXPECT_TRUE(partly.accepted);
+  EXPECT_EQ(partly.message, "taken, but (lit hall) comes from tf (rules.yaml:3:16)");
+  EXPECT_EQ(stateOf(facts), names({"(clean hall)", "(lit attic)"}));
+
+  // What counts while tf can't tell may be set.
+  whereabouts::Observer trusting = switchRule("trust_file");
+  const auto taken = facts.set({fact("lit", {"hall"})}, trusting.rules().get());
+  EXPECT_TRUE(taken.accepted);
+  EXPECT_TRUE(taken.message.empty());
+  std::vector<GroundName> left_out;
+  EXPECT_EQ(facts.state(trusting.observe({{}}), left_out),
+            names({"(clean hall)", "(lit attic)", "(lit hall)"}));
+  EXPECT_EQ(facts.state(trusting.observe({seenAt(9)}), left_out),
+            names({"(clean hall)", "(lit attic)"}));
 }
 
 }  // namespace

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/tf_state_bridge.h"
+
+#include <ros/time.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "goal_alignment/common/ground_name.h"
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+using whereabouts::FramePair;
+using whereabouts::Sighting;
+
+// The newest transform. Its stamp is that of the oldest link of the chain; zero where none moves.
+Sighting sight(const tf2_ros::Buffer& buffer, const FramePair& frames, const ros::Time& now) {
+  Sighting sighting;
+  try {
+    const auto transform = buffer.lookupTransform(frames.in, frames.of, ros::Time(0));
+    const auto& place = transform.transform.translation;
+    sighting.known = true;
+    sighting.position = {place.x, place.y, place.z};
+    const ros::Time& stamp = transform.header.stamp;
+    if (!stamp.isZero()) sighting.age = (now - stamp).toSec();
+  } catch (const tf2::TransformException& error) {
+    sighting.why = std::string(trimmed(error.what()));
+  }
+  return sighting;
+}
+
+}  // namespace
+
+struct TfStateBridge::Listening {
+  tf2_ros::Buffer buffer;
+  tf2_ros::TransformListener listener{buffer};  // with a thread of its own
+};
+
+TfStateBridge::TfStateBridge() = default;
+TfStateBridge::~TfStateBridge() = default;
+
+void TfStateBridge::follow(std::shared_ptr<const whereabouts::Rules> rules) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!rules) {
+    observer_.reset();
+    listening_.reset();
+    return;
+  }
+  if (observer_ && observer_->rules()->text() == rules->text()) return;
+  observer_.emplace(std::move(rules));
+  if (!listening_) listening_ = std::make_unique<Listening>();
+}
+
+std::shared_ptr<const whereabouts::Rules> TfStateBridge::rules() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return observer_ ? observer_->rules() : nullptr;
+}
+
+whereabouts::Observation TfStateBridge::look() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!observer_) return {};
+  const ros::Time now = ros::Time::now();
+  std::vector<Sighting> sightings;
+  for (const FramePair& frames : observer_->rules()->pairs())
+    sightings.push_back(sight(listening_->buffer, frames, now));
+  return observer_->observe(sightings);
+}
+
+}  // namespace goal_alignment::ros_interface
