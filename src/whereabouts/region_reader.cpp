@@ -104,8 +104,8 @@ Shape readShape(const YamlReader& reader, const YAML::Node& node, std::string& f
   if (stands_in != fields.end()) {
     const std::string given = readFrame(reader, stands_in->second);
     if (!frame.empty() && given != frame) {
-      reader.fail(stands_in->second.Mark(), "all shapes of a region in one frame, " + frame,
-                  inQuotes(given));
+      reader.fail(stands_in->second.Mark(),
+                  "all shapes of a region in one frame, " + inQuotes(frame), inQuotes(given));
     }
     frame = given;
     fields.erase(stands_in);

@@ -103,8 +103,9 @@ class RulesReader : private YamlReader {
       Rule rule = ruleOf(text);
       for (const Rule& other : rules_->rules_) {
         if (overlap(rule, other))
-          failAt(text.mark, fmt::format("{} and {} ({}) own the same atoms", rule.pattern.text(),
-                                        other.pattern.text(), other.place));
+          failAt(text.mark,
+                 fmt::format("{} and {} ({}) own the same atoms", inQuotes(rule.pattern.text()),
+                             inQuotes(other.pattern.text()), other.place));
       }
       rules_->rules_.push_back(std::move(rule));
     }

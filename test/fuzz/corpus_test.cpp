@@ -46,7 +46,7 @@ TEST(FuzzCorpus, PlansAreReadOrRefused) {
   replay("plan", plan);
 }
 
-TEST(FuzzCorpus, PhraseFilesAreReadOrRefused) {
+TEST(FuzzCorpus, YamlFilesAreReadOrRefused) {
   replay("yaml", yaml);
 }
 

@@ -16,7 +16,8 @@ void pddl(std::string_view bytes);
 /// A plan, a list of literals, and a single name or literal.
 void plan(std::string_view bytes);
 
-/// A phrase file, with which some fluents, questions and steps are then phrased.
+/// A phrase file, with which some fluents, questions and steps are then phrased; and rules that
+/// make facts of where things are, which then are somewhere and nowhere.
 void yaml(std::string_view bytes);
 
 }  // namespace goal_alignment::fuzz

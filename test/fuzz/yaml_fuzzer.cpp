@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "goal_alignment/common/yaml_reader.h"
 #include "goal_alignment/phrasing/phrases.h"
+#include "goal_alignment/whereabouts/observer.h"
 #include "promise.h"
 #include "targets.h"
 
@@ -33,16 +36,46 @@ void phraseEverything(const phrasing::Phrases& phrases) {
     checkSpoken(phrases.object(object));
 }
 
-}  // namespace
+/// Every frame is somewhere, then none is.
+void observeEverything(const std::shared_ptr<const whereabouts::Rules>& rules) {
+  whereabouts::Observer observer(rules);
+  std::vector<whereabouts::Sighting> sightings(rules->pairs().size());
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    sightings[i].known = true;
+    sightings[i].position.x = static_cast<double>(i);
+  }
+  std::set<GroundName> atoms{GroundName::parse("(p)"), GroundName::parse("(at a b)")};
+  for (const bool known : {true, false}) {
+    for (whereabouts::Sighting& sighting : sightings)
+      sighting.known = known;
+    const whereabouts::Observation seen = observer.observe(sightings);
+    promiseReadable(seen.lament());
+    promise(seen.lament().empty() == seen.unknown().empty(), "what is unknown is lamented");
+    for (const whereabouts::Doubt& doubt : seen.doubts) {
+      for (const GroundName& atom : doubt.atoms)
+        promise(seen.holds.count(atom) == 0, "an atom is true or in doubt");
+    }
+    seen.overlay(atoms);
+  }
+}
 
-void yaml(std::string_view bytes) {
+template <typename Read>
+void readOrRefuse(Read read) {
   try {
-    phraseEverything(phrasing::Phrases::fromYaml(std::string(bytes), "x.yaml"));
+    read();
   } catch (const YamlError& refused) {
     const std::string message = refused.what();
     promiseMessage(message);
     promise(message.rfind("x.yaml:", 0) == 0, "an error has a place: " + message);
   }
+}
+
+}  // namespace
+
+void yaml(std::string_view bytes) {
+  const std::string text(bytes);
+  readOrRefuse([&] { phraseEverything(phrasing::Phrases::fromYaml(text, "x.yaml")); });
+  readOrRefuse([&] { observeEverything(whereabouts::Rules::fromYaml(text, "x.yaml")); });
 }
 
 }  // namespace goal_alignment::fuzz

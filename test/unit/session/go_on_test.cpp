@@ -72,6 +72,27 @@ TEST(SessionGoesOn, AfterSilenceAndDecline) {
   EXPECT_EQ(think(session), State::AwaitingAnswer);
 }
 
+TEST(SessionGoesOn, AfterTheWorldOutsideBrokeItOff) {
+  Session session{Options{}};
+  session.breakOff(OutcomeCode::StateUnknown, "where is it?");
+  EXPECT_EQ(session.state(), State::Idle);
+  session = atFirstQuestion();
+  ASSERT_TRUE(session.answer({session.question()->fluents[0]}, AnswerKind::No, "me").accepted);
+  think(session);
+  const std::size_t asked = session.snapshot().questions_asked;
+  for (const OutcomeCode why : {OutcomeCode::StateUnknown, OutcomeCode::InvalidModel}) {
+    session.breakOff(why, "where is it?");
+    EXPECT_EQ(session.state(), State::Done);
+    EXPECT_EQ(session.outcome().code, why);
+    EXPECT_EQ(session.outcome().message, "where is it?");
+    session.goOn({});
+    EXPECT_EQ(session.state(), State::Analysing);
+    think(session);
+    EXPECT_NE(session.outcome().code, why);
+  }
+  EXPECT_GE(session.snapshot().questions_asked, asked) << "the answer is kept";
+}
+
 TEST(SessionGoesOn, AfterTheQuestionLimitWithANewAllowance) {
   Options none;
   none.max_questions = 0;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "goal_alignment/common/yaml_reader.h"
 #include "samples.h"
 
@@ -132,7 +134,7 @@ TEST(Rules, FaultsOfRegions) {
   expectFault(region("{cylinder: {length: 1}}"), "2:17", "'radius'");
   expectFault(region("{cylinder: {radius: -1}}"), "2:26", "radius: metres");
   expectFault(region("[{sphere: {radius: 1}, frame: a}, {sphere: {radius: 1}, frame: b}]"), "2:69",
-              "in one frame, a");
+              "in one frame, 'a'");
   expectFault(faultOf("regions: {a: {sphere: {radius: 1}}, A: {sphere: {radius: 1}}}"), "1:37",
               "each region once");
 }
@@ -171,6 +173,15 @@ TEST(Rules, FaultsOfARule) {
   expectFault(ruleFault("{fact: (at robot hall), when: robot in hall}\n"
                         "  - {fact: '(at ?a hall)', when: '?a in hall', for: {a: [robot, cup]}}"),
               "9:12", "(x.yaml:8:12) own the same atoms");
+}
+
+TEST(Rules, OfTheExampleCanBeRead) {
+  const auto root = std::filesystem::path(__FILE__).parent_path() / "../../..";
+  const pddl::Source example = pddl::readFile((root / "config/tf_facts.yaml").string());
+  const auto read = Rules::fromYaml(example.text, example.name);
+  EXPECT_EQ(read->rules().size(), 4U);
+  EXPECT_EQ(read->regions().size(), 4U);
+  EXPECT_EQ(read->regions()[3].frame, "tray_link");
 }
 
 TEST(Rules, AFewBytesCannotBecomeTooMuchWork) {
