@@ -122,7 +122,7 @@ class AlignmentRunner {
   void waitForAnswer(GoalTicket& ticket, const session::Snapshot& now);
   QuestionBridge::Wake awaitNews();
   void treatSilence();
-  void openQuestion(GoalTicket& ticket, const session::Snapshot& now);
+  bool openQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void narrowQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void beginPatience();
   void putQuestion(GoalTicket& ticket, const session::Snapshot& now);
