@@ -187,6 +187,7 @@ void AlignmentRunner::waitForAnswer(GoalTicket& ticket, const session::Snapshot&
   const auto began = Clock::now();
   if (same) {
     narrowQuestion(ticket, now);
+    if (!shows_open_) report(ticket, now, open_.text);
   } else if (!openQuestion(ticket, now)) {
     return;
   }

@@ -21,6 +21,7 @@ void AlignmentRunner::report(GoalTicket& ticket, const session::Snapshot& now,
   ticket.setInterim(figures(now));
   const AlignmentState state = stateMessage(now, message);
   announcer_.publish(state);
+  shows_open_ = now.state == session::State::AwaitingAnswer;
   AlignFeedback feedback;
   feedback.phase = state.phase;
   feedback.progress = state.progress;

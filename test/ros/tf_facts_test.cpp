@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Facts from where things are, in a graph whose frames the scenarios move about.
+#include <std_msgs/String.h>
+
 #include "aligner_calls.h"
 #include "frames.h"
 #include "program.h"
@@ -193,20 +195,11 @@ TEST_F(TfFacts, endAGoalOfARobotThatIsInNoneOfTheRegions) {
 }
 
 TEST_F(TfFacts, endAGoalWhoseFramesArePulledAwayAndGoOnWhenTheyAreBack) {
-  follow(rulesFor(robot_, "    max_age: 0.5\n"));
+  patience_.emplace("tf_patience", 3.0);  // longer than a loaded machine stands still
   frames_.place(robot_, kHall);
-  const Question question = sendAndAwaitQuestion(sweepLoudly());
-  patience_.emplace("tf_patience", 0.3);  // of the next goal
-  EXPECT_TRUE(answer(kNo, question.question_id).accepted);
-  AlignResult result = expectEnd(AlignResult::SUCCESS);
-
-  Question again;
-  {
-    AlignGoal goal = sweepLoudly();
-    again = sendAndAwaitQuestion(goal);
-  }
+  const Question before = sendAndAwaitQuestion(sweepLoudly());
   frames_.pullAway(robot_);
-  result = expectEnd(AlignResult::STATE_UNKNOWN);
+  const AlignResult result = expectEnd(AlignResult::STATE_UNKNOWN);
   expectSays(result.message, {"(at robot hall)", "frame " + robot_, "was last known", "s ago"});
   EXPECT_TRUE(questionIsClosed());
 
@@ -215,9 +208,9 @@ TEST_F(TfFacts, endAGoalWhoseFramesArePulledAwayAndGoOnWhenTheyAreBack) {
   AlignGoal goal;
   goal.continue_session = result.session_id;
   goal.max_questions = -1;
-  const Question asked = sendAndAwaitQuestion(goal);
-  EXPECT_EQ(textsOf(asked.fluents), textsOf(again.fluents));
-  EXPECT_TRUE(answer(kNo, asked.question_id).accepted);
+  const Question again = sendAndAwaitQuestion(goal);
+  EXPECT_EQ(textsOf(again.fluents), textsOf(before.fluents));
+  EXPECT_TRUE(answer(kNo, again.question_id).accepted);
   EXPECT_EQ(expectEnd(AlignResult::SUCCESS).plan.steps.size(), 2U);
 }
 
@@ -289,25 +282,23 @@ TEST_F(TfFacts, thatNobodyCanTellAreTakenFromTheFileWhereItIsTrusted) {
 }
 
 TEST_F(TfFacts, doNotFlickerOnABorder) {
-  follow(rulesFor(robot_, "    margin: 0.5\n"));
+  // (next kitchen kitchen) shows on which side of the border tf sees the robot.
+  follow(rulesFor(robot_,
+                  "    margin: 0.5\n"
+                  "  - {fact: (next kitchen kitchen), when: robot in kitchen, margin: 0}\n"));
   frames_.place(robot_, 3.9);
   align(sweepTheHall(), AlignResult::SUCCESS);
-  frames_.place("witness_" + robot_, 0);
-  const auto stays = [&](double x, const std::string& room) {
+  const auto expectAfterMoveTo = [&](double x, const std::string& room) {
     frames_.place(robot_, x);
-    // It moved there for certain: a second thing at the same place is told apart by its frame.
-    for (int i = 0; i < 30; ++i) {
-      EXPECT_TRUE(isSo("(at robot " + room + ")")) << x;
-      ros::WallDuration(0.01).sleep();
-    }
+    EXPECT_TRUE(eventually([x] { return isSo("(next kitchen kitchen)") == (x >= 4); })) << x;
+    EXPECT_TRUE(isSo("(at robot " + room + ")")) << x;
   };
-  stays(4.3, "hall");
-  stays(3.8, "hall");
-  frames_.place(robot_, 4.6);
-  EXPECT_TRUE(eventually([] { return isSo("(at robot kitchen)"); }));
-  stays(3.7, "kitchen");
-  frames_.place(robot_, 3.3);
-  EXPECT_TRUE(eventually([] { return isSo("(at robot hall)"); }));
+  expectAfterMoveTo(4.3, "hall");
+  expectAfterMoveTo(3.8, "hall");
+  expectAfterMoveTo(4.6, "kitchen");
+  expectAfterMoveTo(3.7, "kitchen");
+  expectAfterMoveTo(4.1, "kitchen");
+  expectAfterMoveTo(3.3, "hall");
 }
 
 TEST_F(TfFacts, cannotBeSet) {
@@ -332,11 +323,10 @@ TEST_F(TfFacts, ofRulesThatAreBrokenRefuseTheTaskAndNoOther) {
   follow(rulesFor(robot_, "  - {fact: (at ghost hall), when: robot in hall}\n"));
   refused = align(sweepTheHall(), AlignResult::INVALID_MODEL);
   expectSays(refused.message, {"rules.yaml:12:12", "can't have (at ghost hall)"});
-  {
-    const Parameter nowhere("tf_facts", file() + ".not_there");
-    refused = align(sweepTheHall(), AlignResult::INVALID_MODEL);
-    expectSays(refused.message, {"~tf_facts", "not_there"});
-  }
+  ros::param::set(rules_.name(), file() + ".not_there");
+  refused = align(sweepTheHall(), AlignResult::INVALID_MODEL);
+  expectSays(refused.message, {"~tf_facts", "not_there"});
+  ros::param::set(rules_.name(), file());
   follow(rulesFor(robot_));
   frames_.place(robot_, kKitchen);
   const AlignResult good = align(sweepTheHall(), AlignResult::SUCCESS);

@@ -149,6 +149,7 @@ class AlignmentRunner {
   Question open_;                    // question_id 0: none
   session::QuestionView open_view_;  // as the session asked it
   Clock::time_point open_until_;
+  bool shows_open_ = false;  // the state that was published last says that the question is open
   std::int32_t plans_ = 0;
   std::set<std::string> warned_about_;
 
