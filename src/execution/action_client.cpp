@@ -47,19 +47,13 @@ std::string newId() {
                      ros_interface::stampNow().toNSec());
 }
 
-ros::AdvertiseOptions goalOptions(const std::string& type, const std::string& md5) {
-  // Only the md5 is compared; who records the topic finds the definition by the type's name.
-  return {"goal", kQueueSize, md5, type + "ActionGoal", "", {}, {}};
-}
-
 }  // namespace
 
-ActionClient::ActionClient(const ros::NodeHandle& node, const std::string& name,
-                           const std::string& type, const std::string& goal_message_md5,
+ActionClient::ActionClient(const ros::NodeHandle& node, const std::string& name, GoalType type,
                            WaitPoint& wait)
-    : name_(name), type_(type), md5_(goal_message_md5), wait_(wait) {
+    : name_(name), type_(std::move(type)), wait_(wait) {
   ros::NodeHandle inner(node, name);
-  ros::AdvertiseOptions options = goalOptions(type, md5_);
+  ros::AdvertiseOptions options("goal", kQueueSize, type_.md5, type_.name, type_.text);
   goals_ = inner.advertise(options);
   cancels_ = inner.advertise<actionlib_msgs::GoalID>("cancel", kQueueSize);
   results_ = inner.subscribe("result", kQueueSize, &ActionClient::hearResult, this);
@@ -131,7 +125,7 @@ void ActionClient::send(const Bytes& goal, const std::string& goal_id) {
   }
   bytes.insert(bytes.end(), goal.begin(), goal.end());
   topic_tools::ShapeShifter message;
-  message.morph(md5_, type_ + "ActionGoal", "", "");
+  message.morph(type_.md5, type_.name, type_.text, "");
   serialization::IStream in(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   message.read(in);
   goals_.publish(message);

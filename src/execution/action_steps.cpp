@@ -51,7 +51,11 @@ StepEnd treat(const StepTry& attempt, const std::string& name, const End& end) {
 ActionClient& ActionSteps::clientOf(const std::string& name, const ActionDefinition& type) {
   auto& client = clients_[name + " " + type.goal_message_md5];
   if (!client) {
-    client = std::make_unique<ActionClient>(node_, name, type.type, type.goal_message_md5, wait_);
+    client = std::make_unique<ActionClient>(
+        node_, name,
+        ActionClient::GoalType{type.type + "ActionGoal", type.goal_message_md5,
+                               type.goal_message_text},
+        wait_);
   }
   return *client;
 }

@@ -23,7 +23,6 @@ using Kind = ServiceCaller::Reply::Kind;
 constexpr double kServiceSeconds = 10;  // for an answer; it is a look-up
 constexpr int kServiceTries = 3;        // a call may break off when a connection does
 constexpr double kAlignerPatience = 3;  // seconds until the aligner's action is there, or is lost
-constexpr const char* kAlignType = "goal_alignment/Align";
 
 std::string ownGoals() {
   return ros::this_node::getName() + "-plans-anew-";
@@ -55,8 +54,11 @@ AlignerLink::AlignerLink(ros::NodeHandle node, const std::string& aligner, Servi
       aligner_(node_.resolveName(aligner) + "/"),
       services_(services),
       wait_(wait),
-      align_(node_, aligner_ + ros_interface::kAlignAction, kAlignType,
-             ros::message_traits::md5sum<AlignActionGoal>(), wait) {}
+      align_(node_, aligner_ + ros_interface::kAlignAction,
+             {ros::message_traits::datatype<AlignActionGoal>(),
+              ros::message_traits::md5sum<AlignActionGoal>(),
+              ros::message_traits::definition<AlignActionGoal>()},
+             wait) {}
 
 std::string AlignerLink::parameter(const std::string& key) const {
   std::string value;

@@ -19,7 +19,8 @@
 namespace goal_alignment::execution {
 namespace {
 
-constexpr std::size_t kDeepest = 50;  // messages within messages
+constexpr std::size_t kDeepest = 50;            // messages within messages
+constexpr std::size_t kLineOfDefinitions = 80;  // signs between the definitions of a text
 
 std::string md5Of(const std::string& text) {
   boost::uuids::detail::md5 hash;
@@ -143,6 +144,7 @@ MessageDefinition MessageTypes::parse(const std::string& type, const std::string
                                       const std::string& text) {
   MessageDefinition definition;
   definition.type = type;
+  definition.text = text;
   std::string constants;
   std::string fields;
   std::istringstream lines(text);
@@ -201,10 +203,27 @@ ActionDefinition MessageTypes::action(const std::string& type) {
     action.goal = message(type + "Goal");
     action.result = message(type + "Result");
   }
+  action.goal_message_text =
+      "std_msgs/Header header\nactionlib_msgs/GoalID goal_id\n" + type + "Goal goal\n";
+  for (const MessageDefinition* part :
+       {&message("std_msgs/Header"), &message("actionlib_msgs/GoalID"),
+        static_cast<const MessageDefinition*>(&action.goal)}) {
+    appendPart(*part, action.goal_message_text);
+  }
   action.goal_message_md5 =
       md5Of(message("std_msgs/Header").md5 + " header\n" + message("actionlib_msgs/GoalID").md5 +
             " goal_id\n" + action.goal.md5 + " goal");
   return action;
+}
+
+// With those of its parts; each once.
+void MessageTypes::appendPart(const MessageDefinition& definition, std::string& text) {
+  const std::string title = "MSG: " + definition.type + "\n";
+  if (text.find(title) != std::string::npos) return;
+  text += std::string(kLineOfDefinitions, '=') + "\n" + title + definition.text;
+  for (const MessageField& field : definition.fields) {
+    if (!field.builtin()) appendPart(message(field.type), text);
+  }
 }
 
 std::optional<std::string> installedDefinition(const std::string& package,

@@ -40,9 +40,15 @@ class ActionClient {
     Clock::time_point end;
   };
 
-  /// `type` is `package/Name`, the md5 that of `package/NameActionGoal`.
-  ActionClient(const ros::NodeHandle& node, const std::string& name, const std::string& type,
-               const std::string& goal_message_md5, WaitPoint& wait);
+  /// What is published on an action's topic `goal`.
+  struct GoalType {
+    std::string name;  ///< `package/NameActionGoal`
+    std::string md5;
+    std::string text;  ///< the definition, for who records the topic
+  };
+
+  ActionClient(const ros::NodeHandle& node, const std::string& name, GoalType type,
+               WaitPoint& wait);
 
   /// Sends the goal under a new id, or `goal_id`, and returns when it has ended; a time-out or an
   /// interrupt cancels it, and waits until it has ended, but not for ever.
@@ -60,8 +66,7 @@ class ActionClient {
   End ending() const;
 
   std::string name_;
-  std::string type_;
-  std::string md5_;
+  GoalType type_;
   WaitPoint& wait_;
 
   mutable std::mutex mutex_;  // guards all below

@@ -32,6 +32,7 @@ struct MessageField {
 struct MessageDefinition {
   std::string type;  ///< `package/Message`
   std::vector<MessageField> fields;
+  std::string text;         ///< of the file
   std::string normal_form;  ///< what its md5 is of
   std::string md5;
 
@@ -51,7 +52,8 @@ struct ActionDefinition {
   std::string type;  ///< `package/Name`, without "Action"
   MessageDefinition goal;
   MessageDefinition result;
-  std::string goal_message_md5;  ///< of `package/NameActionGoal`
+  std::string goal_message_md5;   ///< of `package/NameActionGoal`,
+  std::string goal_message_text;  ///< with the definitions of all its parts, as rosbag wants it
 };
 
 /// Reads definitions once each. Not thread-safe.
@@ -72,6 +74,7 @@ class MessageTypes {
   MessageDefinition parse(const std::string& type, const std::string& package,
                           const std::string& text);
   std::string textOf(const std::string& type, const std::string& folder) const;
+  void appendPart(const MessageDefinition& definition, std::string& text);
 
   Source source_;
   std::map<std::string, MessageDefinition> messages_;
