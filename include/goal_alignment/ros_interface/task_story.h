@@ -30,6 +30,9 @@ class TaskStory {
   void hear(const AlignmentState& state);
   void hear(const AlignResult& result);
   void hearStep(const Plan& plan, std::size_t index);
+  /// Why the plan under way is given up for another.
+  void hearTrouble(const std::string& reason);
+  void hearNewPlan(const Plan& plan);
   void hearEnd(const Plan& plan, const ExecutePlanResult& result);
 
  private:
