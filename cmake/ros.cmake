@@ -54,7 +54,7 @@ target_link_libraries(goal_alignment_execution PUBLIC ${catkin_LIBRARIES} PRIVAT
 
 # Floor 9: one small main a program.
 set(goal_alignment_nodes
-  goal_alignment_node console_dialogue scripted_dialogue simulated_executor demo_task)
+  goal_alignment_node console_dialogue scripted_dialogue speech_dialogue simulated_executor demo_task)
 foreach(node IN LISTS goal_alignment_nodes)
   add_executable(${node} src/nodes/${node}.cpp)
   goal_alignment_ros_target(${node})

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "goal_alignment/phrasing/phrases.h"
+#include "goal_alignment/phrasing/vocabulary.h"
 #include "promise.h"
 #include "targets.h"
 
@@ -32,16 +33,33 @@ void phraseEverything(const phrasing::Phrases& phrases) {
     checkSpoken(phrases.object(object));
 }
 
-}  // namespace
+void understandEverything(const phrasing::Vocabulary& vocabulary) {
+  for (const char* said : {"", "yes", "no", "the first one and the towel", "\xff'1 2"}) {
+    const auto heard = vocabulary.understand(said, {"the towel", "the shirt"});
+    if (!heard) continue;
+    for (const std::size_t chosen : heard->reply.chosen)
+      promise(chosen < 2, "what is chosen is offered");
+  }
+  promiseReadable(vocabulary.numbered(0, "it"));
+}
 
-void yaml(std::string_view bytes) {
+template <typename Read>
+void refuseWithPlace(Read read) {
   try {
-    phraseEverything(phrasing::Phrases::fromYaml(std::string(bytes), "x.yaml"));
+    read();
   } catch (const phrasing::PhraseError& refused) {
     const std::string message = refused.what();
     promiseMessage(message);
     promise(message.rfind("x.yaml:", 0) == 0, "an error has a place: " + message);
   }
+}
+
+}  // namespace
+
+void yaml(std::string_view bytes) {
+  const std::string text(bytes);
+  refuseWithPlace([&] { phraseEverything(phrasing::Phrases::fromYaml(text, "x.yaml")); });
+  refuseWithPlace([&] { understandEverything(phrasing::Vocabulary::fromYaml(text, "x.yaml")); });
 }
 
 }  // namespace goal_alignment::fuzz

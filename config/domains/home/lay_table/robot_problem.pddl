@@ -1,5 +1,5 @@
 ; SPDX-License-Identifier: BSD-3-Clause
-; The kitchen before supper, as it is. The dining-room door may jam; there is a way round.
+; The kitchen before supper, as it is. The dining room door may jam; there is a way round.
 (define (problem lay-table)
   (:domain home)
   (:objects kitchen dining-room living-room hall - room
