@@ -42,8 +42,10 @@ std::string homeFolder() {
 
 // The options that say what the task's node parameters do.
 std::vector<std::string> optionsOf(const std::string& folder) {
-  const std::map<std::string, std::string> words = {
-      {"max_group_size", "--group"}, {"kappa", "--kappa"}, {"plan", "--plan"}};
+  const std::map<std::string, std::string> words = {{"max_group_size", "--group"},
+                                                    {"kappa", "--kappa"},
+                                                    {"plan", "--plan"},
+                                                    {"conflicts", "--conflicts"}};
   std::vector<std::string> options;
   for (const auto& entry : YAML::LoadFile(folder + "/parameters.yaml")) {
     const auto key = entry.first.as<std::string>();
