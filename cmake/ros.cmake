@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Floors 8 and 9: messages, libraries and programs of the ROS graph. catkin is looked for here alone.
+# Floors 8 to 10: messages, libraries and programs of the ROS graph. catkin is looked for here alone.
 
 # catkin notes now in which environment run_tests will run, and leaves out folders that are not there yet;
 # without this one no Python tool of a first build's tests would know our messages.
@@ -9,22 +9,22 @@ endif()
 file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
 
 find_package(catkin REQUIRED COMPONENTS
-  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater message_generation roscpp roslib std_msgs
-  std_srvs)
+  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs message_generation roscpp roslib
+  std_msgs std_srvs tf2 tf2_ros topic_tools)
 
 add_message_files(DIRECTORY msg FILES
   ActionDispatch.msg ActionFeedback.msg AlignmentState.msg AlternativeGoal.msg Candidate.msg
   Conflict.msg Fluent.msg HumanTask.msg Plan.msg PlanStep.msg Question.msg)
 add_service_files(DIRECTORY srv FILES
-  Answer.srv AskHuman.srv Explain.srv GetState.srv SetFacts.srv Validate.srv)
+  Answer.srv AskHuman.srv Explain.srv GetFacts.srv GetState.srv SetFacts.srv Validate.srv)
 add_action_files(DIRECTORY action FILES Align.action ExecutePlan.action)
 generate_messages(DEPENDENCIES actionlib_msgs diagnostic_msgs std_msgs)
 
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES goal_alignment_core
-  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater message_runtime roscpp
-    roslib std_msgs std_srvs
+  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs message_runtime
+    roscpp roslib std_msgs std_srvs tf2 tf2_ros topic_tools
   DEPENDS Boost)
 
 # The core was declared before catkin said where libraries go.
@@ -47,18 +47,20 @@ goal_alignment_ros_target(goal_alignment_ros)
 target_link_libraries(goal_alignment_ros PUBLIC goal_alignment_core ${catkin_LIBRARIES}
   PRIVATE fmt::fmt nlohmann_json::nlohmann_json yaml-cpp)
 
+# Floor 9.
 file(GLOB execution_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/execution/*.cpp)
 add_library(goal_alignment_execution STATIC ${execution_sources})
 goal_alignment_ros_target(goal_alignment_execution)
-target_link_libraries(goal_alignment_execution PUBLIC ${catkin_LIBRARIES} PRIVATE fmt::fmt)
+target_link_libraries(goal_alignment_execution PUBLIC goal_alignment_ros yaml-cpp PRIVATE fmt::fmt)
 
-# Floor 9: one small main a program.
+# Floor 10: one small main a program.
 set(goal_alignment_nodes
-  goal_alignment_node console_dialogue scripted_dialogue speech_dialogue simulated_executor demo_task)
+  goal_alignment_node console_dialogue scripted_dialogue speech_dialogue plan_executor simulated_executor
+  demo_task)
 foreach(node IN LISTS goal_alignment_nodes)
   add_executable(${node} src/nodes/${node}.cpp)
   goal_alignment_ros_target(${node})
-  target_link_libraries(${node} PRIVATE goal_alignment_ros goal_alignment_execution fmt::fmt)
+  target_link_libraries(${node} PRIVATE goal_alignment_execution goal_alignment_ros fmt::fmt)
 endforeach()
 
 install(TARGETS goal_alignment_core

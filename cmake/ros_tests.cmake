@@ -9,7 +9,7 @@ file(GLOB ros_unit_tests CONFIGURE_DEPENDS
 catkin_add_gtest(goal_alignment_ros_unit_tests ${ros_unit_tests})
 goal_alignment_ros_target(goal_alignment_ros_unit_tests)
 target_link_libraries(goal_alignment_ros_unit_tests
-  goal_alignment_ros goal_alignment_execution GTest::gtest_main)
+  goal_alignment_execution goal_alignment_ros GTest::gtest_main)
 
 # One program for all scenarios; each .test file starts its own graph and picks its own.
 file(GLOB scenario_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/ros/*.cpp)

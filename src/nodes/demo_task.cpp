@@ -111,13 +111,20 @@ void execute(ros::NodeHandle& node, TaskStory& story, const Plan& plan) {
   waitForServer(client, execution::kExecutePlanAction);
   ExecutePlanGoal goal;
   goal.plan = plan;
+  Plan running = plan;
   client.sendGoal(goal, {}, {}, [&](const ExecutePlanFeedback::ConstPtr& feedback) {
-    if (feedback->step >= 0) story.hearStep(plan, static_cast<std::size_t>(feedback->step));
+    if (!feedback->message.empty()) story.hearTrouble(feedback->message);
+    if (feedback->new_plan.plan_id > 0) {
+      running = feedback->new_plan;
+      story.hearNewPlan(running);
+    } else if (feedback->step >= 0) {
+      story.hearStep(running, static_cast<std::size_t>(feedback->step));
+    }
   });
   waitForResult(client);
   const auto result = client.getResult();
   if (!result) throw std::runtime_error("the executor gave no result");
-  story.hearEnd(plan, *result);
+  story.hearEnd(result->plan.plan_id > 0 ? result->plan : plan, *result);
   if (result->outcome != ExecutePlanResult::SUCCESS) {
     throw std::runtime_error("the plan was not carried out");
   }

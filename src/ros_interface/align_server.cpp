@@ -9,13 +9,25 @@
 #include "goal_alignment/ros_interface/stamp.h"
 
 namespace goal_alignment::ros_interface {
+namespace {
+
+AlignResult canceledBeforeItBegan() {
+  AlignResult result;
+  result.outcome = AlignResult::CANCELED;
+  result.message = "canceled before it began";
+  result.failing_step = -1;
+  return result;
+}
+
+}  // namespace
 
 AlignServer::AlignServer(const ros::NodeHandle& private_node, AlignmentRunner& runner)
     : runner_(runner),
       server_(
           private_node, kAlignAction,
           [this](GoalTicket::Handle handle) { takeGoal(std::move(handle)); },
-          [this](const GoalTicket::Handle& handle) { cancelGoal(handle); }),
+          [this](const GoalTicket::Handle& handle) { cancelGoal(handle); },
+          canceledBeforeItBegan()),
       solver_([this] { work(); }) {
   server_.start();
 }

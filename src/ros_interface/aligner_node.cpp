@@ -64,16 +64,21 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
           private_node.advertiseService(kReviseAnswerService, &AlignerNode::reviseAnswer, this)),
       state_service_(private_node.advertiseService(kGetStateService, &AlignerNode::getState, this)),
       forget_service_(private_node.advertiseService(kForgetService, &AlignerNode::forget, this)),
-      facts_service_(private_node.advertiseService(kSetFactsService, &AlignerNode::setFacts, this)),
+      set_facts_service_(
+          private_node.advertiseService(kSetFactsService, &AlignerNode::setFacts, this)),
       validate_service_(
           advertise<Validate>(kValidateService, validate_callbacks_, &AlignerNode::validate)),
       explain_service_(
           advertise<Explain>(kExplainService, explain_callbacks_, &AlignerNode::explain)),
+      get_facts_service_(
+          advertise<GetFacts>(kGetFactsService, facts_callbacks_, &AlignerNode::getFacts)),
       validate_spinner_(1, &validate_callbacks_),
-      explain_spinner_(kExplainThreads, &explain_callbacks_) {
+      explain_spinner_(kExplainThreads, &explain_callbacks_),
+      facts_spinner_(1, &facts_callbacks_) {
   checkParameters();
   validate_spinner_.start();
   explain_spinner_.start();
+  facts_spinner_.start();
 }
 
 // It waits for an answer, or for a goal, or is at work and looks later.
@@ -162,6 +167,11 @@ bool AlignerNode::setFacts(SetFacts::Request& request, SetFacts::Response& respo
   response.accepted = receipt.accepted;
   response.message = receipt.message;
   if (receipt.accepted) bridge_.nudge();
+  return true;
+}
+
+bool AlignerNode::getFacts(GetFacts::Request& /*request*/, GetFacts::Response& response) {
+  response = facts_.tell();
   return true;
 }
 

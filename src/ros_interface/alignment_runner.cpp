@@ -138,7 +138,7 @@ void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
   kept.session = std::move(session);
   kept.journaled = journal_.open(key, options.journal_expiry);
   kept_ = std::move(kept);
-  facts_.beginSession(goal.source == AlignGoal::PARAMS);
+  facts_.beginSession(kept_.id, goal.source == AlignGoal::PARAMS);
   bridge_.beginSession(kept_.id);
 }
 
@@ -233,7 +233,7 @@ void AlignmentRunner::takeUpFacts() {
   std::vector<GroundName> left_out;
   std::vector<GroundName> before = kept_.session->robotState();
   std::sort(before.begin(), before.end());
-  std::vector<GroundName> now = facts_.overlaid(before, left_out);
+  const std::vector<GroundName> now = facts_.state(left_out);
   for (const GroundName& fact : left_out) {
     if (!kept_.told_left_out.insert(fact).second) continue;
     announcer_.tell(

@@ -14,6 +14,17 @@ namespace goal_alignment::ros_interface {
 
 using session::Receipt;
 
+namespace {
+
+Fluent toMessage(const GroundName& atom) {
+  Fluent message;
+  message.name = atom.name;
+  message.args = atom.arguments;
+  return message;
+}
+
+}  // namespace
+
 Receipt RobotFacts::set(const std::vector<Fluent>& facts) {
   std::vector<Literal> literals;
   try {
@@ -28,7 +39,7 @@ Receipt RobotFacts::set(const std::vector<Fluent>& facts) {
   for (std::size_t i = 0; i < literals.size(); ++i) {
     const Literal& literal = literals[i];
     std::string why_not;
-    if (model_ && !model_->resolve(literal.atom, &why_not)) {
+    if (world_.model && !world_.model->resolve(literal.atom, &why_not)) {
       return {false, fmt::format("facts[{}]: the robot's model can't have {}: {}", i,
                                  literal.atom.text(), why_not)};
     }
@@ -38,32 +49,39 @@ Receipt RobotFacts::set(const std::vector<Fluent>& facts) {
     }
   }
   for (const auto& [atom, holds] : changes)
-    all_[atom] = session_[atom] = holds;
+    all_[atom] = world_.set[atom] = holds;
   ++version_;
   return {true, ""};
 }
 
-void RobotFacts::beginSession(bool earlier_hold) {
+void RobotFacts::beginSession(const std::string& session_id, bool earlier_hold) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  session_ = earlier_hold ? all_ : Changes{};
+  world_ = {session_id, earlier_hold ? all_ : Changes{}, nullptr};
   ++version_;
-  model_.reset();
 }
 
 void RobotFacts::setModel(const pddl::Model& model) {
-  auto copy = std::make_shared<pddl::Model>(model);
-  copy->init.clear();
+  auto copy = std::make_shared<const pddl::Model>(model);
   const std::lock_guard<std::mutex> lock(mutex_);
-  model_ = std::move(copy);
+  world_.model = std::move(copy);
 }
 
-std::vector<GroundName> RobotFacts::overlaid(std::vector<GroundName> state,
-                                             std::vector<GroundName>& left_out) const {
+// What is made of it may be large, so that nobody should wait meanwhile.
+RobotFacts::World RobotFacts::world() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::set<GroundName> atoms(std::make_move_iterator(state.begin()),
-                             std::make_move_iterator(state.end()));
-  for (const auto& [atom, holds] : session_) {
-    if (model_ && !model_->resolve(atom)) {
+  return world_;
+}
+
+std::vector<GroundName> RobotFacts::state(std::vector<GroundName>& left_out) const {
+  return stateOf(world(), left_out);
+}
+
+std::vector<GroundName> RobotFacts::stateOf(const World& world, std::vector<GroundName>& left_out) {
+  std::set<GroundName> atoms;
+  for (const pddl::Atom& atom : world.model->init)
+    atoms.insert(world.model->name(atom));
+  for (const auto& [atom, holds] : world.set) {
+    if (!world.model->resolve(atom)) {
       left_out.push_back(atom);
     } else if (holds) {
       atoms.insert(atom);
@@ -72,6 +90,23 @@ std::vector<GroundName> RobotFacts::overlaid(std::vector<GroundName> state,
     }
   }
   return {atoms.begin(), atoms.end()};
+}
+
+GetFacts::Response RobotFacts::tell() const {
+  const World now = world();
+  GetFacts::Response response;
+  response.session_id = now.session_id;
+  if (now.session_id.empty()) {
+    response.message = "no task was given yet";
+  } else if (!now.model) {
+    response.message = "the robot's model of this task is not read yet, or can't be read";
+  } else {
+    response.known = 1;
+    std::vector<GroundName> left_out;
+    for (const GroundName& atom : stateOf(now, left_out))
+      response.facts.push_back(toMessage(atom));
+  }
+  return response;
 }
 
 }  // namespace goal_alignment::ros_interface

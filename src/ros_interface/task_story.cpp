@@ -225,6 +225,20 @@ void TaskStory::hearStep(const Plan& plan, std::size_t index) {
   out_ << std::flush;
 }
 
+void TaskStory::hearTrouble(const std::string& reason) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  fmt::print(out_, "\nSomething went wrong: {}.\n", reason);
+  out_ << std::flush;
+}
+
+void TaskStory::hearNewPlan(const Plan& plan) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  told_steps_ = 0;
+  fmt::print(out_, "The robot has a new plan of {} steps, under the same answers:\n",
+             plan.steps.size());
+  out_ << std::flush;
+}
+
 void TaskStory::hearEnd(const Plan& plan, const ExecutePlanResult& result) {
   const bool done = result.outcome == ExecutePlanResult::SUCCESS;
   if (done && !plan.steps.empty()) hearStep(plan, plan.steps.size() - 1);

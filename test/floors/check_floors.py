@@ -18,8 +18,9 @@ FLOORS = {
     'alignment': 5,
     'questions': 6,
     'session': 7, 'phrasing': 7,
-    'cli': 8, 'ros_interface': 8, 'execution': 8, 'rviz_panel': 8,
-    'nodes': 9,
+    'cli': 8, 'ros_interface': 8, 'rviz_panel': 8,
+    'execution': 9,
+    'nodes': 10,
 }
 CORE_TOP = 7
 

@@ -6,6 +6,7 @@
 
 #include "goal_alignment/AlignmentState.h"
 #include "goal_alignment/Explain.h"
+#include "goal_alignment/GetFacts.h"
 #include "goal_alignment/GetState.h"
 #include "goal_alignment/SetFacts.h"
 #include "goal_alignment/Validate.h"
@@ -66,6 +67,10 @@ inline SetFacts::Response setFacts(const std::vector<Fluent>& facts) {
   SetFacts::Request request;
   request.facts = facts;
   return callAligner<SetFacts>("set_facts", request);
+}
+
+inline GetFacts::Response getFacts() {
+  return callAligner<GetFacts>("get_facts");
 }
 
 inline Validate::Response validate(const std::string& domain, const std::string& problem) {

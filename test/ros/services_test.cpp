@@ -72,6 +72,10 @@ TEST_F(FreshAligner, hasNothingToExplainReviseForgetOrAnswer) {
   EXPECT_FALSE(explain({"(quiet hall)"}).known);
   for (const int kind : {kWhyNot, kWhatIf})
     EXPECT_EQ(explain({"(quiet hall)"}, kind).text, "No task was given yet.");
+  const auto facts = getFacts();
+  EXPECT_FALSE(facts.known);
+  EXPECT_EQ(facts.message, "no task was given yet");
+  EXPECT_TRUE(facts.session_id.empty());
   EXPECT_EQ(answer(kNo).message, "no alignment is under way");
   EXPECT_FALSE(reviseAnswer(kNo, {"(quiet hall)"}).accepted);
   EXPECT_EQ(int{currentState().phase}, AlignmentState::IDLE);
@@ -296,6 +300,29 @@ TEST_F(Services, setFactsRefusesWhatCannotBeSoAndTakesNothingOfIt) {
   EXPECT_EQ(result.plan.steps.size(), 2U) << "the spare chair is as broken as it was";
 }
 
+TEST_F(Services, getFactsTellsTheRobotsStateDuringATaskAndAfterIt) {
+  const Question question = begin(seatGuests(3));
+  const auto has = [](const GetFacts::Response& told, const std::string& text) {
+    const auto texts = textsOf(told.facts);
+    return std::count(texts.begin(), texts.end(), text) == 1;
+  };
+  const auto before = getFacts();
+  EXPECT_TRUE(before.known) << before.message;
+  EXPECT_EQ(before.session_id, question.session_id);
+  EXPECT_TRUE(before.unknown.empty());
+  EXPECT_TRUE(has(before, "(free c0)"));
+  EXPECT_FALSE(has(before, "(free spare)"));
+  reply(question, kNo);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+
+  EXPECT_TRUE(setFacts({fluent("free", {"SPARE"}), negated(fluent("free", {"c0"}))}).accepted);
+  const auto after = getFacts();
+  EXPECT_EQ(after.session_id, question.session_id);
+  EXPECT_EQ(after.facts.size(), before.facts.size());
+  EXPECT_TRUE(has(after, "(free spare)"));
+  EXPECT_FALSE(has(after, "(free c0)"));
+}
+
 TEST_F(Services, validateReadsMegabytesWhileQuestionsAreAnswered) {
   const AlignGoal large = longToRead();
   ASSERT_GT(large.robot_problem.size(), 3000000U);
@@ -492,6 +519,8 @@ TEST_F(Services, noneWaitsForABusySolver) {
   EXPECT_TRUE(reviseAnswer(kYes, {"(tile t3)"}).accepted);
   EXPECT_FALSE(setFacts({fluent("blank", {"c999"})}).accepted);
   EXPECT_TRUE(setFacts({fluent("blank", {"c0"})}).accepted);
+  EXPECT_TRUE(getFacts().known);
+  EXPECT_EQ(getFacts().session_id, session);
   EXPECT_TRUE(validate(goal.robot_domain, goal.robot_problem).valid);
   EXPECT_FALSE(explain({"(at t3 c3)"}, kWhyNot).known);
   const ros::WallTime asked = ros::WallTime::now();

@@ -8,7 +8,7 @@ constexpr const char* kExecutePlanAction = "execute_plan";
 constexpr const char* kActionDispatchTopic = "action_dispatch";
 constexpr const char* kActionFeedbackTopic = "action_feedback";
 
-constexpr const char* kStepDurationParameter = "step_duration";
-constexpr const char* kFailingStepParameter = "failing_step";
+/// ROSPlan's name of the dispatch that withdraws the one with the same ids.
+constexpr const char* kCancelDispatch = "cancel_action";
 
 }  // namespace goal_alignment::execution

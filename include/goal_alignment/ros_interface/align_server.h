@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "goal_alignment/AlignAction.h"
-#include "goal_alignment/ros_interface/align_action_server.h"
+#include "goal_alignment/ros_interface/action_server.h"
 #include "goal_alignment/ros_interface/alignment_runner.h"
 #include "goal_alignment/ros_interface/goal_ticket.h"
 
@@ -51,7 +51,7 @@ class AlignServer {
   bool stop_ = false;
   unsigned submitted_ = 0;
 
-  AlignActionServer server_;
+  ActionServer<AlignAction> server_;
   std::thread solver_;
 };
 

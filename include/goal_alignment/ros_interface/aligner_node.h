@@ -12,6 +12,7 @@
 
 #include "goal_alignment/Answer.h"
 #include "goal_alignment/Explain.h"
+#include "goal_alignment/GetFacts.h"
 #include "goal_alignment/GetState.h"
 #include "goal_alignment/HumanTask.h"
 #include "goal_alignment/SetFacts.h"
@@ -47,6 +48,7 @@ class AlignerNode {
   bool explain(Explain::Request& request, Explain::Response& response);
   bool forget(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool setFacts(SetFacts::Request& request, SetFacts::Response& response);
+  bool getFacts(GetFacts::Request& request, GetFacts::Response& response);
   session::Receipt submit(const Answer::Request& request);
   void checkParameters() const;
   void nudgeSolver();
@@ -72,14 +74,17 @@ class AlignerNode {
   ros::ServiceServer revise_service_;
   ros::ServiceServer state_service_;
   ros::ServiceServer forget_service_;
-  ros::ServiceServer facts_service_;
+  ros::ServiceServer set_facts_service_;
 
   ros::CallbackQueue validate_callbacks_;
   ros::CallbackQueue explain_callbacks_;
+  ros::CallbackQueue facts_callbacks_;
   ros::ServiceServer validate_service_;
   ros::ServiceServer explain_service_;
+  ros::ServiceServer get_facts_service_;
   ros::AsyncSpinner validate_spinner_;
   ros::AsyncSpinner explain_spinner_;
+  ros::AsyncSpinner facts_spinner_;
 };
 
 }  // namespace goal_alignment::ros_interface

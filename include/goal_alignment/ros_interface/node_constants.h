@@ -31,6 +31,7 @@ constexpr const char* kValidateService = "validate";
 constexpr const char* kExplainService = "explain";
 constexpr const char* kForgetService = "forget";
 constexpr const char* kSetFactsService = "set_facts";
+constexpr const char* kGetFactsService = "get_facts";
 
 constexpr const char* kAlignerQuestionTopic = "goal_alignment/question";
 constexpr const char* kAlignerStateTopic = "goal_alignment/state";

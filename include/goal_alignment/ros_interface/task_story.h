@@ -34,6 +34,9 @@ class TaskStory {
   /// After a result without a plan the person settles for this; another result will follow.
   void takeUp(const AlternativeGoal& alternative);
   void hearStep(const Plan& plan, std::size_t index);
+  /// Why the plan under way is given up for another.
+  void hearTrouble(const std::string& reason);
+  void hearNewPlan(const Plan& plan);
   void hearEnd(const Plan& plan, const ExecutePlanResult& result);
 
  private:

@@ -31,7 +31,7 @@ std::vector<GroundName> names(const std::vector<std::string>& texts) {
 
 std::vector<GroundName> stateOf(const RobotFacts& facts, std::vector<GroundName>* left_out = {}) {
   std::vector<GroundName> ignored;
-  return facts.overlaid(names({"(clean hall)"}), left_out != nullptr ? *left_out : ignored);
+  return facts.state(left_out != nullptr ? *left_out : ignored);
 }
 
 TEST(RobotFacts, addAndRetract) {
@@ -67,23 +67,43 @@ TEST(RobotFacts, areTakenAllOrNone) {
 TEST(RobotFacts, ofEarlierSessionsHoldWhereAsked) {
   RobotFacts facts;
   EXPECT_TRUE(facts.set({fact("lit", {"hall"})}).accepted) << "no model is known yet";
-  facts.beginSession(false);
+  facts.beginSession("one", false);
   facts.setModel(hall());
   EXPECT_EQ(stateOf(facts), names({"(clean hall)"})) << "the goal brings its own state";
   EXPECT_TRUE(facts.set({fact("lit", {"attic"})}).accepted);
   EXPECT_EQ(stateOf(facts), names({"(clean hall)", "(lit attic)"}));
-  facts.beginSession(true);
+  facts.beginSession("two", true);
+  facts.setModel(hall());
   EXPECT_EQ(stateOf(facts), names({"(clean hall)", "(lit attic)", "(lit hall)"}));
 }
 
 TEST(RobotFacts, thatAnotherModelDoesNotKnowAreNamed) {
   RobotFacts facts;
   facts.set({fact("lit", {"cellar"}), fact("lit", {"hall"})});
-  facts.beginSession(true);
+  facts.beginSession("one", true);
   facts.setModel(hall());
   std::vector<GroundName> left_out;
   EXPECT_EQ(stateOf(facts, &left_out), names({"(clean hall)", "(lit hall)"}));
   EXPECT_EQ(left_out, names({"(lit cellar)"}));
+}
+
+TEST(RobotFacts, areTold) {
+  RobotFacts facts;
+  EXPECT_FALSE(facts.tell().known);
+  EXPECT_EQ(facts.tell().message, "no task was given yet");
+  facts.beginSession("one", true);
+  EXPECT_FALSE(facts.tell().known);
+  EXPECT_EQ(facts.tell().session_id, "one");
+  EXPECT_FALSE(facts.tell().message.empty());
+  facts.setModel(hall());
+  facts.set({fact("lit", {"attic"})});
+  const GetFacts::Response told = facts.tell();
+  EXPECT_TRUE(told.known);
+  EXPECT_EQ(told.session_id, "one");
+  ASSERT_EQ(told.facts.size(), 2U);
+  EXPECT_EQ(told.facts[0].name, "clean");
+  EXPECT_EQ(told.facts[1].args, std::vector<std::string>{"attic"});
+  EXPECT_TRUE(told.unknown.empty());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/execution/simulated_executor.h"
+#include "goal_alignment/execution/plan_run.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "goal_alignment/AlignResult.h"
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/execution/action_client.h"
+#include "goal_alignment/execution/robot_watch.h"
+#include "goal_alignment/execution/service_caller.h"
+#include "goal_alignment/execution/wait_point.h"
+
+namespace goal_alignment::execution {
+
+/// What the execution of plans wants of the aligner. An interrupt ends every wait.
+class AlignerLink {
+ public:
+  struct Facts {
+    bool known = false;
+    std::string message;  ///< why not
+    std::string session_id;
+    WorldState world;
+  };
+
+  AlignerLink(ros::NodeHandle node, const std::string& aligner, ServiceCaller& services,
+              WaitPoint& wait);
+
+  Facts facts();
+
+  /// These are so now. What is refused, as another source tells it better, is left out. False: the
+  /// aligner does not answer.
+  bool tell(const std::vector<Literal>& changes);
+
+  /// A new plan under the session's answers; people may be asked. Nothing: `why_not` says why.
+  std::optional<AlignResult> planAnew(const std::string& session_id, double cancel_patience,
+                                      std::string& why_not);
+
+  /// The parameter of the aligner; "" where it has none.
+  std::string parameter(const std::string& key) const;
+
+  /// Whether planAnew() sent the goal of that id.
+  static bool isOwnGoal(const std::string& goal_id);
+
+ private:
+  bool set(const std::vector<Literal>& changes, std::string& refusal);
+
+  ros::NodeHandle node_;
+  std::string aligner_;
+  ServiceCaller& services_;
+  WaitPoint& wait_;
+  ActionClient align_;
+};
+
+}  // namespace goal_alignment::execution

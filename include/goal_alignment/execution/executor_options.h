@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <XmlRpcValue.h>
+#include <ros/node_handle.h>
+
+#include <string>
+#include <vector>
+
+namespace goal_alignment::execution {
+
+/// Parameters of plan_executor and simulated_executor, read anew for every plan. README.md's table
+/// lists them in this order.
+struct ExecutorOptions {
+  std::string mapping;  ///< file, absolute or relative to the package's folder; "": none
+  std::string aligner = "goal_alignment";  ///< name of its node; read at the start alone
+  bool auto_execute = false;               ///< read at the start alone
+  bool watch = true;                       ///< check preconditions, tell effects, ask for new plans
+  std::string robot_domain;                ///< "": those of the aligner's parameters
+  std::string robot_problem;
+  double facts_patience = 2;  ///< seconds, 0 … 3600, for which a condition may be false or unknown
+  int max_replans = 3;        ///< 0 … 1000 for a goal
+  double cancel_patience = 5;  ///< seconds, 0 … 3600, that a cancelled step may take to stop
+
+  // Of simulated steps.
+  double step_duration = 0.5;      ///< seconds, 0 … 3600, of steps whose rule says nothing
+  double failure_probability = 0;  ///< 0 … 1 for each try of such a step
+  int failing_step = -1;           ///< index of the plan's step that fails; -1: none
+  int seed = 0;                    ///< 0 … 2^31-1; the same seed, the same failures
+  double frame_rate = 20;          ///< Hz, 1 … 200, at which frames are broadcast
+
+  std::vector<std::string> unknown;  ///< private parameters that nobody reads
+
+  /// Both throw ros_interface::ParameterError, which names key and namespace.
+  static ExecutorOptions read(const ros::NodeHandle& private_node);
+  static ExecutorOptions read(const XmlRpc::XmlRpcValue& values, const std::string& ns);
+
+  /// What is read at the start alone; a fault anywhere leaves the defaults of everything else.
+  static ExecutorOptions atTheStart(const ros::NodeHandle& private_node);
+};
+
+}  // namespace goal_alignment::execution

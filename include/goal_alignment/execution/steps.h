@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/wall_timer.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "goal_alignment/ActionDispatch.h"
+#include "goal_alignment/ActionFeedback.h"
+#include "goal_alignment/common/random_source.h"
+#include "goal_alignment/execution/action_client.h"
+#include "goal_alignment/execution/executor_options.h"
+#include "goal_alignment/execution/frame_stage.h"
+#include "goal_alignment/execution/service_caller.h"
+#include "goal_alignment/execution/step_mapping.h"
+#include "goal_alignment/execution/wait_point.h"
+
+namespace goal_alignment::execution {
+
+/// What became of one try of a step.
+struct StepEnd {
+  enum class Kind { Succeeded, Failed, TimedOut, Interrupted };
+  Kind kind = Kind::Succeeded;
+  std::string reason;  ///< for people, where it did not succeed
+};
+
+/// One try of a step.
+struct StepTry {
+  const ActionDispatch& step;
+  const StepRule& rule;
+  const Arguments& arguments;
+  MessageTypes& types;
+  const ExecutorOptions& options;
+  Clock::time_point end;              ///< of the try's time
+  bool is_to_fail = false;            ///< simulated: the parameter failing_step says so
+  std::function<void()> dispatch;     ///< publishes the step
+  std::function<void(int)> progress;  ///< tells who sent the plan a status of ActionFeedback
+};
+
+/// One way to carry out steps. Runs on the thread that runs plans; an interrupt reaches it through
+/// the wait point. A fault of the mapping throws MappingError, one of a type TypeError.
+class StepRunner {
+ public:
+  virtual ~StepRunner() = default;
+  virtual StepEnd run(const StepTry& attempt) = 0;
+};
+
+/// StepKind::Action.
+class ActionSteps : public StepRunner {
+ public:
+  ActionSteps(ros::NodeHandle node, WaitPoint& wait) : node_(std::move(node)), wait_(wait) {}
+  StepEnd run(const StepTry& attempt) override;
+
+ private:
+  ActionClient& clientOf(const std::string& name, const ActionDefinition& type);
+
+  ros::NodeHandle node_;
+  WaitPoint& wait_;
+  std::map<std::string, std::unique_ptr<ActionClient>>
+      clients_;  // kept, since connecting takes time
+};
+
+/// StepKind::Service.
+class ServiceSteps : public StepRunner {
+ public:
+  explicit ServiceSteps(ServiceCaller& services) : services_(services) {}
+  StepEnd run(const StepTry& attempt) override;
+
+ private:
+  ServiceCaller& services_;
+};
+
+/// StepKind::Dispatch: others hear the dispatched step and answer on action_feedback.
+class DispatchedSteps : public StepRunner {
+ public:
+  DispatchedSteps(ros::NodeHandle node, ros::Publisher dispatches, WaitPoint& wait);
+  StepEnd run(const StepTry& attempt) override;
+
+ private:
+  void hear(const ros::MessageEvent<const ActionFeedback>& event);
+  void expect(const ActionDispatch* step);
+  StepEnd await(const StepTry& attempt, Clock::time_point patience);
+  std::optional<ActionFeedback> heard() const;
+  StepEnd treat(const StepTry& attempt, const ActionFeedback& feedback) const;
+  void cancel(const ActionDispatch& step);
+
+  ros::Publisher dispatches_;
+  WaitPoint& wait_;
+  mutable std::mutex mutex_;  // guards the two below
+  const ActionDispatch* expected_ = nullptr;
+  std::optional<ActionFeedback> last_;  // about the expected one
+  ros::Subscriber feedback_;
+};
+
+/// StepKind::Simulated: time passes and frames move. Broadcasts all frames, also between plans.
+class SimulatedSteps : public StepRunner {
+ public:
+  SimulatedSteps(const ros::NodeHandle& node, WaitPoint& wait);
+  StepEnd run(const StepTry& attempt) override;
+
+  /// A run of plans begins: the same seed, the same failures.
+  void begin(const StepMapping& mapping, const ExecutorOptions& options);
+
+ private:
+  bool fails(const StepTry& attempt);
+  std::vector<FrameStage::Motion> motionsOf(const StepTry& attempt) const;
+  void broadcast();
+
+  WaitPoint& wait_;
+  RandomSource random_{0};
+  std::map<GroundName, int> failures_;  // how many more tries fail
+  FrameStage stage_;
+  std::mutex mutex_;  // guards the two below
+  tf2_ros::TransformBroadcaster broadcaster_;
+  ros::Time last_stamp_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace goal_alignment::execution

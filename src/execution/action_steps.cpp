@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <actionlib_msgs/GoalStatus.h>
+#include <fmt/format.h>
+
+#include "goal_alignment/execution/steps.h"
+#include "goal_alignment/ros_interface/stamp.h"
+#include "success.h"
+
+namespace goal_alignment::execution {
+namespace {
+
+using actionlib_msgs::GoalStatus;
+using End = ActionClient::End;
+
+const char* wordFor(std::uint8_t status) {
+  switch (status) {
+    case GoalStatus::ABORTED:
+      return "aborted";
+    case GoalStatus::REJECTED:
+      return "rejected";
+    case GoalStatus::PREEMPTED:
+    case GoalStatus::RECALLED:
+      return "preempted";
+    default:
+      return "lost";
+  }
+}
+
+StepEnd treat(const StepTry& attempt, const std::string& name, const End& end) {
+  switch (end.kind) {
+    case End::Kind::NoServer:
+      return {StepEnd::Kind::Failed, fmt::format("nobody offers the action {}", name)};
+    case End::Kind::Lost:
+      return {StepEnd::Kind::Failed, fmt::format("the server of {} went away", name)};
+    case End::Kind::TimedOut:
+      return {StepEnd::Kind::TimedOut, end.text.empty() ? name : name + ": " + end.text};
+    case End::Kind::Interrupted:
+      return {StepEnd::Kind::Interrupted, end.text.empty() ? "" : name + ": " + end.text};
+    case End::Kind::Ended:
+      break;
+  }
+  if (end.status != GoalStatus::SUCCEEDED) {
+    return {StepEnd::Kind::Failed, fmt::format("{} {} the goal{}{}", name, wordFor(end.status),
+                                               end.text.empty() ? "" : ": ", end.text)};
+  }
+  return checkSuccess(attempt, attempt.rule.action->result, end.result, name);
+}
+
+}  // namespace
+
+ActionClient& ActionSteps::clientOf(const std::string& name, const ActionDefinition& type) {
+  auto& client = clients_[name + " " + type.goal_message_md5];
+  if (!client) {
+    client = std::make_unique<ActionClient>(
+        node_, name,
+        ActionClient::GoalType{type.type + "ActionGoal", type.goal_message_md5,
+                               type.goal_message_text},
+        wait_);
+  }
+  return *client;
+}
+
+StepEnd ActionSteps::run(const StepTry& attempt) {
+  const ActionDefinition& type = *attempt.rule.action;
+  const std::string name = attempt.arguments.fill(attempt.rule.name);
+  const Bytes goal = encode(attempt.types, type.goal, attempt.rule.fields, attempt.arguments,
+                            ros_interface::stampNow());
+  attempt.dispatch();
+  const ActionClient::Limits limits{attempt.rule.server_patience, attempt.options.cancel_patience,
+                                    attempt.end};
+  return treat(attempt, name, clientOf(name, type).run(goal, limits));
+}
+
+}  // namespace goal_alignment::execution

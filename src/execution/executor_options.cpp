@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/execution/executor_options.h"
+
+#include <ros/param.h>
+
+#include <limits>
+
+#include "goal_alignment/ros_interface/parameter_reader.h"
+
+namespace goal_alignment::execution {
+namespace {
+
+constexpr double kLongest = 3600;  // seconds
+constexpr int kMostReplans = 1000;
+constexpr double kLowestRate = 1;     // Hz
+constexpr double kHighestRate = 200;  // Hz
+
+}  // namespace
+
+ExecutorOptions ExecutorOptions::read(const ros::NodeHandle& private_node) {
+  XmlRpc::XmlRpcValue values;
+  ros::param::get(private_node.getNamespace(), values);
+  return read(values, private_node.getNamespace());
+}
+
+ExecutorOptions ExecutorOptions::read(const XmlRpc::XmlRpcValue& values, const std::string& ns) {
+  ros_interface::ParameterReader reader(values, ns);
+  ExecutorOptions options;
+  reader.read("mapping", options.mapping);
+  reader.read("aligner", options.aligner);
+  if (options.aligner.empty()) reader.refuse("aligner", "the name of the aligner's node");
+  reader.read("auto_execute", options.auto_execute);
+  reader.read("watch", options.watch);
+  reader.read("robot_domain", options.robot_domain);
+  reader.read("robot_problem", options.robot_problem);
+  reader.read("facts_patience", options.facts_patience, 0, kLongest);
+  reader.read("max_replans", options.max_replans, 0, kMostReplans);
+  reader.read("cancel_patience", options.cancel_patience, 0, kLongest);
+  reader.read("step_duration", options.step_duration, 0, kLongest);
+  reader.read("failure_probability", options.failure_probability, 0, 1);
+  reader.read("failing_step", options.failing_step, -1, std::numeric_limits<int>::max());
+  reader.read("seed", options.seed, 0, std::numeric_limits<int>::max());
+  reader.read("frame_rate", options.frame_rate, kLowestRate, kHighestRate);
+  options.unknown = reader.unknown();
+  return options;
+}
+
+ExecutorOptions ExecutorOptions::atTheStart(const ros::NodeHandle& private_node) {
+  try {
+    return read(private_node);
+  } catch (const ros_interface::ParameterError&) {
+    ExecutorOptions options;
+    private_node.getParam("aligner", options.aligner);
+    private_node.getParam("auto_execute", options.auto_execute);
+    return options;
+  }
+}
+
+}  // namespace goal_alignment::execution

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "goal_alignment/execution/steps.h"
+#include "goal_alignment/ros_interface/stamp.h"
+#include "success.h"
+
+namespace goal_alignment::execution {
+
+StepEnd checkSuccess(const StepTry& attempt, const MessageDefinition& definition,
+                     const std::optional<Bytes>& message, const std::string& name) {
+  if (!attempt.rule.success.empty() && !message) {
+    return {StepEnd::Kind::Failed, fmt::format("{} gave no result", name)};
+  }
+  for (const auto& [path, expected] : attempt.rule.success) {
+    std::string found;
+    if (matches(attempt.types, definition, *message, path, expected, attempt.arguments, found)) {
+      continue;
+    }
+    return {StepEnd::Kind::Failed, fmt::format("{} answered with {} {}", name, path, found)};
+  }
+  return {};
+}
+
+StepEnd ServiceSteps::run(const StepTry& attempt) {
+  using Kind = ServiceCaller::Reply::Kind;
+  const ServiceDefinition& type = *attempt.rule.service;
+  const std::string name = attempt.arguments.fill(attempt.rule.name);
+  const Bytes request = encode(attempt.types, type.request, attempt.rule.fields, attempt.arguments,
+                               ros_interface::stampNow());
+  attempt.dispatch();
+  const ServiceCaller::Reply reply =
+      services_.call(name, type.md5, request, attempt.rule.server_patience, attempt.end);
+  switch (reply.kind) {
+    case Kind::Answered:
+      return checkSuccess(attempt, type.response, reply.response, name);
+    case Kind::Failed:
+      return {StepEnd::Kind::Failed, fmt::format("the call of {} failed", name)};
+    case Kind::NoServer:
+      return {StepEnd::Kind::Failed, fmt::format("nobody offers the service {}", name)};
+    case Kind::TimedOut:
+      return {StepEnd::Kind::TimedOut, name};
+    case Kind::Interrupted:
+      break;
+  }
+  return {StepEnd::Kind::Interrupted, ""};
+}
+
+}  // namespace goal_alignment::execution

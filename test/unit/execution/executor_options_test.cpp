@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/execution/executor_options.h"
+
+#include <gtest/gtest.h>
+
+#include "samples.h"
+
+namespace goal_alignment::execution::test {
+namespace {
+
+std::string faultWith(const std::string& key, const XmlRpc::XmlRpcValue& value) {
+  XmlRpc::XmlRpcValue values;
+  values[key] = value;
+  return faultOfCall([&] { ExecutorOptions::read(values, "/e"); });
+}
+
+TEST(ExecutorOptions, haveDefaults) {
+  const ExecutorOptions options = ExecutorOptions::read({}, "/e");
+  EXPECT_EQ(options.aligner, "goal_alignment");
+  EXPECT_TRUE(options.watch);
+  EXPECT_FALSE(options.auto_execute);
+  EXPECT_EQ(options.max_replans, 3);
+}
+
+TEST(ExecutorOptions, nameTheKeyThatIsWrong) {
+  EXPECT_EQ(faultWith("step_duration", -1.0),
+            "parameter /e/step_duration: expected a number from 0 to 3600, not -1");
+  EXPECT_EQ(faultWith("failure_probability", 2),
+            "parameter /e/failure_probability: expected a number from 0 to 1, not 2");
+  EXPECT_EQ(faultWith("watch", "no"), "parameter /e/watch: expected true or false");
+  EXPECT_EQ(faultWith("max_replans", 1.5),
+            "parameter /e/max_replans: expected a whole number from 0 to 1000");
+  EXPECT_EQ(faultWith("aligner", ""), "parameter /e/aligner: expected the name of the aligner's node");
+}
+
+TEST(ExecutorOptions, knowWhatNobodyReads) {
+  XmlRpc::XmlRpcValue values;
+  values["step_duraton"] = 1;
+  EXPECT_EQ(ExecutorOptions::read(values, "/e").unknown, std::vector<std::string>{"step_duraton"});
+}
+
+}  // namespace
+}  // namespace goal_alignment::execution::test
