@@ -117,7 +117,9 @@ INSTANTIATE_TEST_SUITE_P(
         HomeTask{"lay_table",
                  1,
                  {"the tray of crystal glasses is on the dining table?", "Ada answers: no",
-                  "The robot has a plan of 16 steps"}}),
+                  "The robot has a plan of 16 steps", "step 1 of 16: open the dining room door",
+                  "Something went wrong: ",
+                  "The robot has a new plan of 25 steps, under the same answers"}}),
     [](const auto& info) { return info.param.name; });
 
 }  // namespace
