@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::uint32_t kQueueSize = 10;
 constexpr std::chrono::milliseconds kTick{20};  // for what tells nobody: shutdown, a process's end
+constexpr std::chrono::milliseconds kIdleTick{100};
 
 phrasing::Vocabulary vocabularyOf(const std::string& file) {
   const pddl::Source source = pddl::readFile(resolveFile(file));
@@ -105,7 +106,7 @@ void SpeechDialogue::run() {
 
 std::optional<Question> SpeechDialogue::awaitQuestion() {
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait_for(lock, kTick);
+  if (!question_ || finished_) changed_.wait_for(lock, kIdleTick);
   return finished_ ? std::nullopt : question_;
 }
 

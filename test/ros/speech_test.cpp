@@ -64,6 +64,9 @@ class Speech : public Scenario {
     call.request.level = "debug";
     ASSERT_TRUE(eventually(
         [&] { return ros::service::call(std::string(kNode) + "/set_logger_level", call); }));
+    // Until its log reaches us.
+    ASSERT_TRUE(speakUntil("testing", [this] { return wasNotListenedTo("testing"); }));
+    ASSERT_TRUE(isNotListenedTo("tested"));
   }
 
   void speak(const std::string& text) {
@@ -211,6 +214,8 @@ TEST_F(Speech, takesNumbersAndNamesForAGroup) {
       EXPECT_EQ(int{candidate.state}, is_wanted ? Candidate::WANTED : Candidate::NOT_WANTED)
           << answer << ": " << candidate.fluent.args.at(0);
     }
+    // What was said too often must not answer the next question.
+    EXPECT_TRUE(isNotListenedTo(std::string("enough of ") + answer));
   }
 }
 
