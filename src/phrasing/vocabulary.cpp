@@ -25,13 +25,6 @@ std::string withPlainApostrophes(std::string text) {
   return text;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words)
-    text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 }  // namespace
 
 std::vector<std::string> wordsOf(const std::string& text) {
@@ -124,41 +117,42 @@ std::optional<Reply> Vocabulary::chosen(Words words,
   // "Yes, the first."
   if (words.size() > 1 && meaningOf({words.front()}) == Meaning::Yes) words.erase(words.begin());
   if (meaningOf(words) == Meaning::All) return Reply{Reply::Kind::Yes, {}};
-  if (const auto numbers = chosenByNumber(words, offered.size())) return numbers;
-  return chosenByName(words, offered);
+  return named(words, offered);
 }
 
-std::optional<Reply> Vocabulary::chosenByNumber(const Words& words, std::size_t count) const {
-  Words digits = words;
-  for (std::string& word : digits) {
-    const auto number = numbers_.find(word);
-    if (number != numbers_.end()) word = std::to_string(number->second);
-  }
-  const auto reply = parseReply(joined(digits), count);
+std::optional<std::size_t> Vocabulary::numberIn(const std::string& word, std::size_t count) const {
+  const auto number = numbers_.find(word);
+  const auto reply =
+      parseReply(number == numbers_.end() ? word : std::to_string(number->second), count);
   // Its letters, "y" and the like, are for keyboards.
-  return reply && !reply->chosen.empty() ? reply : std::nullopt;
+  if (!reply || reply->chosen.empty()) return std::nullopt;
+  return reply->chosen.front();
 }
 
-// Every word has to be in what is offered, and at least one in one thing alone: "the shirt" chooses
-// nothing where there are two.
-std::optional<Reply> Vocabulary::chosenByName(const Words& words,
-                                              const std::vector<std::string>& offered) const {
+// Every word has to be a number or in what is offered, and at least one in one thing alone: "the
+// shirt" chooses nothing where there are two.
+std::optional<Reply> Vocabulary::named(const Words& words,
+                                       const std::vector<std::string>& offered) const {
   std::vector<std::set<std::string>> names;
   for (const std::string& clause : offered) {
     const Words all = wordsOf(clause);
     names.emplace_back(all.begin(), all.end());
   }
-  std::set<std::size_t> named;
+  std::set<std::size_t> chosen;
   for (const std::string& word : words) {
     if (but_.count(word) > 0) return std::nullopt;
+    if (const auto number = numberIn(word, offered.size())) {
+      chosen.insert(*number);
+      continue;
+    }
     std::vector<std::size_t> in;
     for (std::size_t i = 0; i < names.size(); ++i)
       if (names[i].count(word) > 0) in.push_back(i);
     if (in.empty()) return std::nullopt;
-    if (in.size() == 1) named.insert(in.front());
+    if (in.size() == 1) chosen.insert(in.front());
   }
-  if (named.empty()) return std::nullopt;
-  return Reply{Reply::Kind::Yes, {named.begin(), named.end()}};
+  if (chosen.empty()) return std::nullopt;
+  return Reply{Reply::Kind::Yes, {chosen.begin(), chosen.end()}};
 }
 
 }  // namespace goal_alignment::phrasing

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/ros_interface/speech_dialogue.h"
 
+#include <fmt/format.h>
 #include <ros/console.h>
 #include <ros/init.h>
 
@@ -147,6 +148,9 @@ bool SpeechDialogue::say(const Question& question, const std::string& text) {
     ROS_WARN("cut off after %g s: %s", options_.say_timeout, text.c_str());
     break;
   }
+  if (aloud && !speech_.isRunning() && speech_.lastStatus() != 0)
+    warnOnce(
+        fmt::format("{} ended with status {}", options_.say_command.front(), speech_.lastStatus()));
   speech_.stop();
   if (aloud) awaitWords(question, after(options_.echo_time));  // deaf, it hears nothing
   listen();
@@ -166,6 +170,10 @@ void SpeechDialogue::startSpeaking(const std::string& text) {
   } catch (const std::system_error& error) {
     fault = error.what();
   }
+  warnOnce(fault);
+}
+
+void SpeechDialogue::warnOnce(const std::string& fault) {
   if (warned_) return;
   warned_ = true;
   ROS_WARN("nothing is said aloud, %s; what would be said stands on %s", fault.c_str(),

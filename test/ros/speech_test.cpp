@@ -230,6 +230,17 @@ TEST_F(Speech, fallsSilentWhenSomebodyElseHasAnswered) {
   EXPECT_TRUE(eventually([&] { return kill(speaker, 0) != 0 && errno == ESRCH; }));
 }
 
+TEST_F(Speech, goesOnWithAProgramThatFails) {
+  set("say_command", std::vector<std::string>{"false", "{text}"});
+  start();
+  align_.sendGoal(sweepHall());
+  EXPECT_TRUE(speakUntil("no", [this] { return isOver(); }));
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+  EXPECT_TRUE(log_.waitFor([](const rosgraph_msgs::Log& line) {
+    return line.name == kNode && line.msg.find("false ended with status 1") != std::string::npos;
+  }));
+}
+
 TEST_F(Speech, goesOnWithoutAProgramThatSpeaksAndWarnsOnce) {
   set("say_command", std::vector<std::string>{"no-such-program-to-speak-with", "{text}"});
   start();

@@ -74,9 +74,8 @@ class Vocabulary {
   Words withoutStandIns(const Words& words) const;
   static std::optional<Heard> heardAs(Meaning meaning, bool several);
   std::optional<Reply> chosen(Words words, const std::vector<std::string>& offered) const;
-  std::optional<Reply> chosenByNumber(const Words& words, std::size_t count) const;
-  std::optional<Reply> chosenByName(const Words& words,
-                                    const std::vector<std::string>& offered) const;
+  std::optional<Reply> named(const Words& words, const std::vector<std::string>& offered) const;
+  std::optional<std::size_t> numberIn(const std::string& word, std::size_t count) const;
 
   std::map<Words, Meaning> meanings_;  // as they are written, and without ignored words
   std::set<std::string> and_;

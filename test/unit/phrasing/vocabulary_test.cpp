@@ -79,7 +79,8 @@ TEST(Vocabulary, OfSeveralThingsNumbersChoose) {
   EXPECT_EQ(ofSeveral("1 3"), "13");
   EXPECT_EQ(ofSeveral("number two please"), "2");
   EXPECT_EQ(ofSeveral("the second one"), "2") << "this one is no number";
-  EXPECT_EQ(ofSeveral("two and one"), "21");
+  EXPECT_EQ(ofSeveral("two and one"), "12");
+  EXPECT_EQ(ofSeveral("the first and the sports shirt"), "13");
   EXPECT_EQ(ofSeveral("yes, the first one"), "1");
   EXPECT_EQ(ofSeveral("the fourth"), "") << "there are three";
 }
@@ -183,8 +184,6 @@ TEST_F(SpokenLaundry, IsAskedWithNumbers) {
 }
 
 TEST_F(SpokenLaundry, AnswersEndIt) {
-  const auto turn = several_.hear("the towel and the third");
-  EXPECT_FALSE(turn.reply) << "names and numbers in one answer are too much";
   ASSERT_TRUE(several_.hear("two").reply);
   EXPECT_EQ(several_.hear("two").reply->chosen, std::vector<std::size_t>{1});
   EXPECT_EQ(one_.hear("no").reply->kind, Kind::No);
