@@ -55,7 +55,8 @@ target_link_libraries(goal_alignment_execution PUBLIC goal_alignment_ros yaml-cp
 
 # Floor 10: one small main a program.
 set(goal_alignment_nodes
-  goal_alignment_node console_dialogue scripted_dialogue plan_executor simulated_executor demo_task)
+  goal_alignment_node console_dialogue scripted_dialogue speech_dialogue plan_executor simulated_executor
+  demo_task)
 foreach(node IN LISTS goal_alignment_nodes)
   add_executable(${node} src/nodes/${node}.cpp)
   goal_alignment_ros_target(${node})

@@ -7,6 +7,7 @@
 #include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/validation/execution.h"
+#include "home.h"
 #include "single_call.h"
 
 namespace goal_alignment::benchmarks {
@@ -51,6 +52,15 @@ void settleGoals(AlignmentInstance& instance, const std::vector<std::string>& st
     }
   }
   instance.true_goal.assign(wanted.begin(), wanted.end());
+}
+
+// The person names every other fact of the goal.
+void sayHalf(AlignmentInstance& instance, const Truth& truth, RandomSource& random) {
+  std::vector<std::string> stated;
+  std::vector<std::string> left_out;
+  for (const std::string& fact : instance.robot.problem.goal)
+    (stated.size() <= left_out.size() ? stated : left_out).push_back(fact);
+  settleGoals(instance, stated, left_out, truth, random);
 }
 
 // What the person never saw they know nothing about.
@@ -117,11 +127,14 @@ AlignmentInstance householdAlignment(const HouseholdSize& size, int known, const
   instance.human = human;
   instance.human_plan = planOf(instance.human);
   if (instance.human_plan.empty()) throw Exception("the person has no plan for the household");
-  std::vector<std::string> stated;
-  std::vector<std::string> left_out;
-  for (const std::string& fact : instance.robot.problem.goal)
-    (stated.size() <= left_out.size() ? stated : left_out).push_back(fact);
-  settleGoals(instance, stated, left_out, truth, random);
+  sayHalf(instance, truth, random);
+  return instance;
+}
+
+AlignmentInstance homeAlignment(int size, const Truth& truth, RandomSource& random) {
+  Home home = drawnHome(size, random);
+  AlignmentInstance instance = {home.robot, home.human, home.human_plan, {}};
+  sayHalf(instance, truth, random);
   return instance;
 }
 

@@ -42,6 +42,10 @@ AlignmentInstance alignmentOf(const Models& robot, const Misreading& misreading,
 AlignmentInstance householdAlignment(const HouseholdSize& size, int known, const Truth& truth,
                                      RandomSource& random);
 
+/// A home of home.h. The person's goal names half of what the robot can do; with the person's plan
+/// they expect all of it, also what lies upstairs or high up. size: things that lie about.
+AlignmentInstance homeAlignment(int size, const Truth& truth, RandomSource& random);
+
 /// A home as it may be: 10 rooms, 200 things in it, at least 20,000 operators, at least 100
 /// candidates.
 AlignmentInstance largeHome(std::uint64_t seed);

@@ -20,6 +20,7 @@ const std::vector<Family>& families() {
       {"probes", probes, true, {2, 4, 6, 8, 10}},
       {"household", household, true, {8, 16, 32, 64, 128}},
       {"trolley", trolley, true, {2, 4, 8, 16, 32}, true},
+      {"home", home, true, {4, 8, 16, 32, 64}, true},
       {"pegs", pegs, false, {3, 4, 5, 6, 7}},
       {"courier", shortOfCharge, false, {4, 8, 16, 32, 64}},
       {"guests", guests, false, {2, 3, 4, 5, 6}},

@@ -57,6 +57,9 @@ struct HouseholdSize {
 Models household(const HouseholdSize& size, RandomSource& random);
 Models household(int size, RandomSource& random);
 
+/// A home in the domain of config/domains/home, see home.h. size: things that lie about.
+Models home(int size, RandomSource& random);
+
 struct Family {
   std::string name;
   Models (*make)(int size, RandomSource& random);

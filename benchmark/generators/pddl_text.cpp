@@ -50,6 +50,7 @@ std::vector<Typed> typed(std::string_view text) {
 }
 
 std::string DomainParts::text() const {
+  if (!whole.empty()) return whole;
   std::string text = "(define (domain " + name + ")\n  (:requirements :strips :typing)\n";
   if (!types.empty()) text += "  (:types" + list(types) + ")\n";
   text += "  (:predicates";

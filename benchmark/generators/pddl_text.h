@@ -37,6 +37,8 @@ struct DomainParts {
   std::vector<Typed> types;
   std::vector<PredicateParts> predicates;
   std::vector<ActionParts> actions;
+  std::string whole =
+      {};  ///< where it is not empty, the text; the parts but for the name are empty
 
   std::string text() const;
   /// Whether `type` is `of` or below it.

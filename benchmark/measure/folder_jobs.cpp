@@ -63,7 +63,10 @@ std::vector<Job> jobsBelow(const std::string& path, const DialogueOptions& dialo
   if (!std::filesystem::is_directory(path, error))
     throw pddl::InputError(path, {}, "expected a folder");
   const Path base = std::filesystem::canonical(path);
+  const std::vector<Path> alignments = cli::instanceFoldersBelow(base);
   std::map<Path, std::vector<Path>> texts;  // by folder
+  for (const Path& folder : alignments)
+    texts[folder];
   for (const auto& entry : std::filesystem::recursive_directory_iterator(base)) {
     if (entry.path().extension() == ".pddl") texts[entry.path().parent_path()].push_back(entry);
   }
@@ -74,7 +77,7 @@ std::vector<Job> jobsBelow(const std::string& path, const DialogueOptions& dialo
     const std::string suite =
         below.find('/') == std::string::npos ? root : below.substr(0, below.find('/'));
     const std::string name = below == "." ? root : below;
-    if (std::filesystem::exists(folder / "robot_domain.pddl")) {
+    if (std::binary_search(alignments.begin(), alignments.end(), folder)) {
       jobs.push_back(alignmentJob(suite, name, folder, dialogue));
       continue;
     }

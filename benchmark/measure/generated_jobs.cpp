@@ -35,6 +35,18 @@ Job householdJob(const std::string& suite, const HouseholdSize& size, int known,
   return {suite, numbered("household-" + suite + "-", grown), "align", work};
 }
 
+std::string nameOf(const Truth& truth) {
+  return truth.wanted < 0 ? "left-out" : truth.wanted < 0.3 ? "p02" : "p05";
+}
+
+Job homeJob(int size, const Truth& truth, std::uint64_t seed, const DialogueOptions& dialogue) {
+  const auto work = [=](const MeasureLimits& limits, Record& record, const Save& save) {
+    RandomSource random(seed);
+    align(homeAlignment(size, truth, random), dialogue, limits, record, save);
+  };
+  return {"home", fmt::format("home-{}-{}", size, nameOf(truth)), "align", work};
+}
+
 }  // namespace
 
 std::vector<Job> familyCalls(std::uint64_t seed) {
@@ -56,7 +68,6 @@ std::vector<Job> familyAlignments(std::uint64_t seed, const DialogueOptions& dia
       const int size = family.sizes[step];
       for (const std::string differences : {"a", "aisv"}) {
         for (const double wanted : {-1.0, 0.2, 0.5}) {
-          const std::string truth = wanted < 0 ? "left-out" : wanted < 0.3 ? "p02" : "p05";
           const auto work = [=, &family](const MeasureLimits& limits, Record& record,
                                          const Save& save) {
             RandomSource random(seed);
@@ -64,13 +75,17 @@ std::vector<Job> familyAlignments(std::uint64_t seed, const DialogueOptions& dia
             align(alignmentOf(robot, misreadingOf(differences), {wanted}, random), dialogue, limits,
                   record, save);
           };
-          jobs.push_back({family.name,
-                          fmt::format("{}-{}-{}-{}", family.name, size, differences, truth),
-                          "align", work});
+          jobs.push_back(
+              {family.name,
+               fmt::format("{}-{}-{}-{}", family.name, size, differences, nameOf({wanted})),
+               "align", work});
         }
       }
     }
   }
+  for (const int size : familyCalled("home").sizes)
+    for (const double wanted : {-1.0, 0.2, 0.5})
+      jobs.push_back(homeJob(size, {wanted}, seed, dialogue));
   return jobs;
 }
 

@@ -29,8 +29,9 @@ std::vector<Job> familyAlignments(std::uint64_t seed, const DialogueOptions& dia
 /// name), as far as possible alone, and the large home.
 std::vector<Job> householdGrowth(std::uint64_t seed, const DialogueOptions& dialogue);
 
-/// What stands at the path and below: alignments where there is a robot_domain.pddl, else planning
-/// tasks: each problem with `<problem>-domain.pddl`, `domain-<problem>.pddl` (with or without
+/// What stands at the path and below: alignments in instance folders (cli/instance.h), else
+/// planning tasks: each problem with `<problem>-domain.pddl`, `domain-<problem>.pddl` (with or
+/// without
 /// `-problem` in its own name), or the folder's `domain.pddl`. Sorted by path. Throws
 /// pddl::InputError where there is nothing.
 std::vector<Job> jobsBelow(const std::string& path, const DialogueOptions& dialogue);

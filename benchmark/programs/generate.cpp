@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes one generated planning task, or one generated alignment, into a folder.
+// Writes one generated planning task, or one generated alignment, into a folder. Homes are always
+// alignments: their people have a domain of their own.
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <exception>
@@ -27,6 +28,11 @@ void generate(const Arguments& arguments) {
     return;
   }
   goal_alignment::RandomSource random(arguments.seed);
+  if (arguments.family == "home") {
+    benchmarks::write(benchmarks::homeAlignment(arguments.size, arguments.truth, random),
+                      arguments.folder);
+    return;
+  }
   const auto models = benchmarks::familyCalled(arguments.family).make(arguments.size, random);
   if (arguments.differences.empty()) {
     benchmarks::write(models, arguments.folder);
@@ -40,7 +46,9 @@ void generate(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Writes a generated planning task, or with --differences an alignment, into DIR.");
+  CLI::App app(
+      "Writes a generated planning task, or with --differences (or of `home` and `large-home`) an "
+      "alignment, into DIR.");
   Arguments arguments;
   std::string families = "large-home";
   for (const benchmarks::Family& family : benchmarks::families())

@@ -155,18 +155,14 @@ std::vector<InstanceFolder> instancesBelow(const std::string& root) {
   const fs::path base = fs::canonical(root);
   std::vector<InstanceFolder> instances;
   std::map<std::string, int> names;
-  for (const auto& entry : fs::recursive_directory_iterator(root)) {
-    if (entry.path().filename() != "robot_domain.pddl") continue;
-    const fs::path folder = fs::canonical(entry.path().parent_path());
-    instances.push_back({entry.path().parent_path().string(), folder.filename().string()});
+  for (const fs::path& folder : instanceFoldersBelow(root)) {
+    instances.push_back({folder.string(), fs::canonical(folder).filename().string()});
     ++names[instances.back().name];
   }
   if (instances.empty()) throw pddl::InputError(root, {}, "no instance folder in here");
   for (InstanceFolder& instance : instances)
     if (names[instance.name] > 1)
       instance.name = fs::canonical(instance.path).lexically_relative(base).generic_string();
-  std::sort(instances.begin(), instances.end(),
-            [](const InstanceFolder& a, const InstanceFolder& b) { return a.path < b.path; });
   return instances;
 }
 

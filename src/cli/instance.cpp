@@ -1,27 +1,83 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/cli/instance.h"
 
-#include <filesystem>
+#include <algorithm>
 
 #include "goal_alignment/pddl/exceptions.h"
 #include "goal_alignment/pddl/parser.h"
 
 namespace goal_alignment::cli {
 
+namespace {
+
+using Path = std::filesystem::path;
+
+constexpr const char* kRobotDomain = "robot_domain.pddl";
+constexpr const char* kHumanPlan = "human_plan.txt";
+
+bool has(const Path& folder, const char* name) {
+  std::error_code error;
+  return std::filesystem::exists(folder / name, error);
+}
+
+// `a/b/`, `b` and `.` have parents, too.
+Path parentOf(const Path& folder) {
+  const Path whole = std::filesystem::absolute(folder / "").lexically_normal().parent_path();
+  return whole.parent_path();
+}
+
+// Empty where it is in neither folder.
+std::string fileOf(const Path& folder, const char* name) {
+  if (has(folder, name)) return (folder / name).string();
+  const Path lent = parentOf(folder);
+  return has(lent, name) ? (lent / name).string() : std::string();
+}
+
+std::string neededFileOf(const Path& folder, const char* name) {
+  std::string file = fileOf(folder, name);
+  if (!file.empty()) return file;
+  throw pddl::InputError(
+      folder.string(), {},
+      std::string("no ") + name + " here, nor in the folder above, " + parentOf(folder).string());
+}
+
+bool lends(const Path& folder) {
+  if (has(folder, kHumanPlan)) return false;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.is_directory() && has(entry.path(), kHumanPlan)) return true;
+  }
+  return false;
+}
+
+bool isInstance(const Path& folder) {
+  return has(folder, kHumanPlan) || (has(folder, kRobotDomain) && !lends(folder));
+}
+
+}  // namespace
+
 InstanceFiles InstanceFiles::of(const std::string& folder) {
-  const std::filesystem::path base(folder);
+  const Path base(folder);
   std::error_code error;
   if (!std::filesystem::is_directory(base, error)) {
     throw pddl::InputError(folder, {}, "expected an instance folder");
   }
-  const auto file = [&](const char* name) { return (base / name).string(); };
-  InstanceFiles files = {file("robot_domain.pddl"), file("robot_problem.pddl"),
-                         file("human_domain.pddl"), file("human_problem.pddl"),
-                         file("human_plan.txt"),    file("true_goal.txt"),
-                         file("phrases.yaml")};
-  for (std::string* optional : {&files.true_goal, &files.phrases})
-    if (!std::filesystem::exists(*optional, error)) optional->clear();
-  return files;
+  return {neededFileOf(base, kRobotDomain),
+          neededFileOf(base, "robot_problem.pddl"),
+          neededFileOf(base, "human_domain.pddl"),
+          neededFileOf(base, "human_problem.pddl"),
+          neededFileOf(base, kHumanPlan),
+          fileOf(base, "true_goal.txt"),
+          fileOf(base, "phrases.yaml")};
+}
+
+std::vector<Path> instanceFoldersBelow(const Path& root) {
+  std::vector<Path> folders;
+  if (isInstance(root)) folders.push_back(root);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+    if (entry.is_directory() && isInstance(entry.path())) folders.push_back(entry.path());
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
 }
 
 session::Input readInput(const InstanceFiles& files) {

@@ -82,6 +82,10 @@ void YamlReader::expectMap(const YAML::Node& node, const std::string& what) cons
   if (!node.IsMap()) fail(node.Mark(), what, describe(node));
 }
 
+void YamlReader::expectList(const YAML::Node& node, const std::string& what) const {
+  if (!node.IsSequence()) fail(node.Mark(), what, describe(node));
+}
+
 YamlReader::Fields YamlReader::fields(const YAML::Node& node, const std::string& what,
                                       const std::vector<std::string>& known) const {
   expectMap(node, what);

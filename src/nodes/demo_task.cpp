@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sends a task from a YAML file, tells what happens to it, and has its plan executed. Exit status
-// 0: the plan was found and carried out.
+// Sends a task from a YAML file, tells what happens to it, takes up the likeliest alternative where
+// there is no plan, and has the plan executed. Exit status 0: a plan was found and carried out.
 #include <actionlib/client/simple_action_client.h>
 #include <ros/ros.h>
 
@@ -67,27 +67,42 @@ void waitForResult(Client& client) {
   }
 }
 
-Plan align(ros::NodeHandle& node, TaskStory& story, const HumanTask& task) {
-  using Client = actionlib::SimpleActionClient<AlignAction>;
-  const boost::function<void(const AlignmentState::ConstPtr&)> hear_state =
-      [&story](const AlignmentState::ConstPtr& state) { story.hear(*state); };
-  const ros::Subscriber states =
-      node.subscribe<AlignmentState>(ros_interface::kAlignerStateTopic, 100, hear_state);
-  Client client(node, ros_interface::kAlignerAlignAction, false);
-  waitForServer(client, ros_interface::kAlignerAlignAction);
-  AlignGoal goal;
-  goal.task = task;
-  goal.source = AlignGoal::PARAMS;
-  goal.max_questions = -1;
+using AlignClient = actionlib::SimpleActionClient<AlignAction>;
+
+AlignResult resultOf(AlignClient& client, TaskStory& story, const AlignGoal& goal) {
   client.sendGoal(goal, {}, {},
                   [&story](const AlignFeedback::ConstPtr& feedback) { story.hear(*feedback); });
   waitForResult(client);
   const auto result = client.getResult();
   if (!result) throw std::runtime_error("the alignment gave no result");
   story.hear(*result);
-  if (result->outcome != AlignResult::SUCCESS)
+  return *result;
+}
+
+// Where not all that is wanted can be had, the likeliest alternative is taken up: the same session,
+// nothing is asked again.
+Plan align(ros::NodeHandle& node, TaskStory& story, const HumanTask& task) {
+  const boost::function<void(const AlignmentState::ConstPtr&)> hear_state =
+      [&story](const AlignmentState::ConstPtr& state) { story.hear(*state); };
+  const ros::Subscriber states =
+      node.subscribe<AlignmentState>(ros_interface::kAlignerStateTopic, 100, hear_state);
+  AlignClient client(node, ros_interface::kAlignerAlignAction, false);
+  waitForServer(client, ros_interface::kAlignerAlignAction);
+  AlignGoal goal;
+  goal.task = task;
+  goal.source = AlignGoal::PARAMS;
+  goal.max_questions = -1;
+  AlignResult result = resultOf(client, story, goal);
+  while (result.outcome == AlignResult::EXPECTATION_UNACHIEVABLE && !result.alternatives.empty()) {
+    const AlternativeGoal& alternative = result.alternatives.front();
+    story.takeUp(alternative);
+    goal.continue_session = result.session_id;
+    goal.revised_not_wanted = alternative.given_up;
+    result = resultOf(client, story, goal);
+  }
+  if (result.outcome != AlignResult::SUCCESS)
     throw std::runtime_error("the task ended without a plan");
-  return result->plan;
+  return result.plan;
 }
 
 void execute(ros::NodeHandle& node, TaskStory& story, const Plan& plan) {

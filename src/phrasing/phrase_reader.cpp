@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <stdexcept>
 #include <utility>
 
 #include "goal_alignment/common/quote.h"
-#include "goal_alignment/common/yaml_reader.h"
 #include "goal_alignment/phrasing/phrases.h"
+#include "template_reader.h"
 
 namespace goal_alignment::phrasing {
 
 /// Fills a Phrases from a YAML document.
-class PhraseReader : private YamlReader {
+class PhraseReader : private TemplateReader {
  public:
-  using YamlReader::YamlReader;
+  using TemplateReader::TemplateReader;
 
   Phrases read(const std::string& text) {
     load(text, [this](const YAML::Node& document) { readSections(document); });
@@ -19,14 +18,6 @@ class PhraseReader : private YamlReader {
   }
 
  private:
-  TemplateText sentence(const YAML::Node& node, const std::string& what) const {
-    try {
-      return TemplateText::parse(text(node, what));
-    } catch (const std::invalid_argument& exception) {
-      failAt(node.Mark(), exception.what());
-    }
-  }
-
   /// Names match without case, so the same name twice is a fault even in two spellings, which YAML
   /// itself would let pass.
   template <typename Value>

@@ -83,6 +83,18 @@ void ParameterReader::read(const std::string& key, std::vector<std::string>& nam
   }
 }
 
+void ParameterReader::readTexts(const std::string& key, std::vector<std::string>& texts) {
+  XmlRpcValue* found = find(key);
+  if (found == nullptr) return;
+  const std::string expected = "a list of texts";
+  if (found->getType() != XmlRpcValue::TypeArray) refuse(key, expected);
+  texts.clear();
+  for (int i = 0; i < found->size(); ++i) {
+    if ((*found)[i].getType() != XmlRpcValue::TypeString) refuse(key, expected);
+    texts.push_back(static_cast<std::string&>((*found)[i]));
+  }
+}
+
 std::size_t ParameterReader::readChoice(const std::string& key,
                                         const std::vector<std::string>& words, std::size_t value) {
   XmlRpcValue* found = find(key);

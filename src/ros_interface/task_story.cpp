@@ -96,6 +96,14 @@ void TaskStory::hear(const AlignResult& result) {
   out_ << std::flush;
 }
 
+void TaskStory::takeUp(const AlternativeGoal& alternative) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  fmt::print(out_, "\n{} settles for this: all but that {}.\n", person_,
+             joined(alternative.given_up, phrases_));
+  out_ << std::flush;
+  has_ended_ = false;
+}
+
 void TaskStory::tellDialogue() {
   if (session_.empty() || state_.session_id != session_) return;
   tellBreak();

@@ -6,6 +6,7 @@
 
 #include "goal_alignment/common/yaml_reader.h"
 #include "goal_alignment/phrasing/phrases.h"
+#include "goal_alignment/phrasing/vocabulary.h"
 #include "goal_alignment/whereabouts/observer.h"
 #include "promise.h"
 #include "targets.h"
@@ -59,6 +60,16 @@ void observeEverything(const std::shared_ptr<const whereabouts::Rules>& rules) {
   }
 }
 
+void understandEverything(const phrasing::Vocabulary& vocabulary) {
+  for (const char* said : {"", "yes", "no", "the first one and the towel", "\xff'1 2"}) {
+    const auto heard = vocabulary.understand(said, {"the towel", "the shirt"});
+    if (!heard) continue;
+    for (const std::size_t chosen : heard->reply.chosen)
+      promise(chosen < 2, "what is chosen is offered");
+  }
+  promiseReadable(vocabulary.numbered(0, "it"));
+}
+
 template <typename Read>
 void readOrRefuse(Read read) {
   try {
@@ -76,6 +87,7 @@ void yaml(std::string_view bytes) {
   const std::string text(bytes);
   readOrRefuse([&] { phraseEverything(phrasing::Phrases::fromYaml(text, "x.yaml")); });
   readOrRefuse([&] { observeEverything(whereabouts::Rules::fromYaml(text, "x.yaml")); });
+  readOrRefuse([&] { understandEverything(phrasing::Vocabulary::fromYaml(text, "x.yaml")); });
 }
 
 }  // namespace goal_alignment::fuzz

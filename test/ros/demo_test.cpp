@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tea demo as demo.launch sets it up, told by demo_task.
+// The demos as demo.launch sets them up, told by demo_task.
 #include <ros/package.h>
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <ostream>
 #include <string>
+#include <vector>
 
 #include "scenario.h"
 
@@ -18,7 +20,7 @@ struct Telling {
 
 Telling told(const std::string& command) {
   Telling run;
-  FILE* pipe = popen(("timeout 60 " + command + " 2>&1").c_str(), "r");
+  FILE* pipe = popen(("timeout 300 " + command + " 2>&1").c_str(), "r");
   if (pipe == nullptr) return run;
   char buffer[512];
   while (fgets(buffer, sizeof buffer, pipe) != nullptr)
@@ -32,17 +34,29 @@ Telling demoTask(const std::string& arguments) {
   return told(NODE_FOLDER "/demo_task " + arguments);
 }
 
-TEST(Demo, tellsTheTaskTheBreakTheQuestionsTheStepsAndTheGuarantee) {
-  const Telling run =
-      demoTask("_task:=config/domains/tea/task.yaml _phrases:=config/domains/tea/phrases.yaml");
+// In this order, whatever else stands between.
+void expectInOrder(const Telling& run, const std::vector<std::string>& parts) {
   EXPECT_EQ(run.status, 0) << run.output;
   std::size_t position = 0;
-  for (const char* part : {"The task, from ", "Where this plan breaks for the robot: ",
-                           "The robot asks: ", "  Its reason: ", " answers: ",
-                           "The robot has a plan of ", "  step 1 of ", "\nGuaranteed: "}) {
+  for (const std::string& part : parts) {
     position = run.output.find(part, position);
     ASSERT_NE(position, std::string::npos) << part << " is missing in\n" << run.output;
   }
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+TEST(Demo, tellsTheTaskTheBreakTheQuestionsTheStepsAndTheGuarantee) {
+  const Telling run =
+      demoTask("_task:=config/domains/tea/task.yaml _phrases:=config/domains/tea/phrases.yaml");
+  expectInOrder(run, {"The task, from ", "Where this plan breaks for the robot: ",
+                      "The robot asks: ", "  Its reason: ", " answers: ",
+                      "The robot has a plan of ", "  step 1 of ", "\nGuaranteed: "});
 }
 
 TEST(Demo, failsForATaskThatCannotBe) {
@@ -68,6 +82,65 @@ TEST(Demo, canBeDoneWithTheClientInPython) {
   EXPECT_EQ(told("/usr/bin/python3 " + client + " '(tea-served)'").status, 1)
       << "it is not planned";
 }
+
+// A task of config/domains/home in its namespace.
+struct HomeTask {
+  std::string name;
+  std::size_t questions;
+  std::vector<std::string> parts;  // of what is told
+
+  friend std::ostream& operator<<(std::ostream& out, const HomeTask& task) {
+    return out << task.name;
+  }
+};
+
+class HomeDemo : public testing::TestWithParam<HomeTask> {};
+
+TEST_P(HomeDemo, isToldAndCarriedOut) {
+  const HomeTask& task = GetParam();
+  const std::string domain = "config/domains/home";
+  const Telling run = demoTask("__ns:=/" + task.name + " _task:=" + domain + "/" + task.name +
+                               "/task.yaml _phrases:=" + domain + "/phrases.yaml");
+  std::vector<std::string> parts = task.parts;
+  parts.insert(parts.begin(), "Where this plan breaks for the robot: ");
+  parts.insert(parts.end(), {"  step 1 of ", "\nGuaranteed: "});
+  expectInOrder(run, parts);
+  EXPECT_EQ(count(run.output, "The robot asks: "), task.questions) << run.output;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tasks, HomeDemo,
+    testing::Values(
+        HomeTask{"clear_table", 0, {"The robot has a plan of 20 steps"}},
+        HomeTask{"nap_time",
+                 2,
+                 {"Does it matter to you that little Leo goes on sleeping?", "Ada answers: yes",
+                  "the carpet in the living room is clean?", "Ada answers: no",
+                  "What need not be: the carpet in the living room"}},
+        HomeTask{"evening_tablets",
+                 2,
+                 {"Does it matter to you that Grace stays in the bedroom?", "Ada answers: yes",
+                  "Does it matter to you that Grace takes the evening dose?", "Ada answers: yes",
+                  "There is no plan (outcome 52): ", "That is certain.",
+                  "I can do all but this: Grace stays in the bedroom.",
+                  "Ada settles for this: all but that Grace stays in the bedroom.",
+                  "The robot has a plan of ", "ring the bell, so that Grace comes into the hall"}},
+        HomeTask{
+            "laundry_day",
+            1,
+            {"Which of these matter to you: ", "the school shirt hangs on the clothes horse: yes"}},
+        HomeTask{"afternoon_tea",
+                 2,
+                 {"Grace gets the pair of reading glasses?", "Ben answers: no",
+                  "the bunch of car keys is on the hall table?", "Ben answers: no",
+                  "The robot has a plan of "}},
+        HomeTask{"lay_table",
+                 1,
+                 {"the tray of crystal glasses is on the dining table?", "Ada answers: no",
+                  "The robot has a plan of 16 steps", "step 1 of 16: open the dining room door",
+                  "Something went wrong: ",
+                  "The robot has a new plan of 25 steps, under the same answers"}}),
+    [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace goal_alignment::test

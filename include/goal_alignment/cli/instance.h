@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -20,10 +21,16 @@ struct InstanceFiles {
   std::string true_goal;
   std::string phrases;  ///< phrases.yaml: how questions are worded
 
-  /// The files of an instance folder. Throws pddl::InputError where one but the true goal and the
-  /// phrases is missing.
+  /// The files of an instance folder. What it lacks it takes from its parent folder, so that tasks
+  /// in one domain need not repeat it. Throws pddl::InputError, which names both places, where one
+  /// but the true goal and the phrases is in neither.
   static InstanceFiles of(const std::string& folder);
 };
+
+/// The instance folders at `root` and below it, sorted: those with a robot_domain.pddl or a
+/// human_plan.txt of their own, but for folders without a plan that only lend their files to
+/// others. Throws std::filesystem::filesystem_error.
+std::vector<std::filesystem::path> instanceFoldersBelow(const std::filesystem::path& root);
 
 /// Reads the models' texts and the human plan. Throws pddl::InputError.
 session::Input readInput(const InstanceFiles& files);

@@ -38,6 +38,7 @@ class YamlReader {
   std::string place(const YAML::Mark& mark) const;
 
   void expectMap(const YAML::Node& node, const std::string& what) const;
+  void expectList(const YAML::Node& node, const std::string& what) const;
 
   /// The entries of a map, each of which must be one of `known` and stand there once; one that is
   /// left empty counts as not there.

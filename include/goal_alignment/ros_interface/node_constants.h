@@ -13,6 +13,10 @@ constexpr const char* kDefaultNodeName = "goal_alignment";
 // Relative to the node's namespace.
 constexpr const char* kHumanTaskTopic = "human_task";
 constexpr const char* kAskHumanService = "ask_human";
+constexpr const char* kRecognisedSpeechTopic = "recognised_speech";
+
+// Private to speech_dialogue.
+constexpr const char* kSaidTopic = "said";
 
 // Private to the aligner. Dialogue nodes find them below kDefaultNodeName, remap for another.
 constexpr const char* kAlignAction = "align";

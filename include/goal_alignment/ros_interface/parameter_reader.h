@@ -30,6 +30,8 @@ class ParameterReader {
   void read(const std::string& key, int& value, int low, int high);
   /// A list of PDDL names; they come out in lower case.
   void read(const std::string& key, std::vector<std::string>& names);
+  /// A list of any texts.
+  void readTexts(const std::string& key, std::vector<std::string>& texts);
   /// Index of the word found among `words`; `value` where the key is not there.
   std::size_t readChoice(const std::string& key, const std::vector<std::string>& words,
                          std::size_t value);

@@ -9,6 +9,7 @@
 #include "goal_alignment/AlignFeedback.h"
 #include "goal_alignment/AlignResult.h"
 #include "goal_alignment/AlignmentState.h"
+#include "goal_alignment/AlternativeGoal.h"
 #include "goal_alignment/ExecutePlanResult.h"
 #include "goal_alignment/HumanTask.h"
 #include "goal_alignment/Plan.h"
@@ -19,7 +20,8 @@ namespace goal_alignment::ros_interface {
 
 /// Tells one alignment in plain English, in its right order although its messages come on several
 /// topics: the task, where the person's plan breaks for the robot, each question with its reason
-/// and then its answer, the outcome, the steps, and what is guaranteed. Thread-safe.
+/// and then its answer, the outcome, the alternative that is taken up, the steps, and what is
+/// guaranteed. Thread-safe.
 class TaskStory {
  public:
   /// `tell_questions` false: a dialogue in the same terminal shows them.
@@ -29,6 +31,8 @@ class TaskStory {
   void hear(const AlignFeedback& feedback);
   void hear(const AlignmentState& state);
   void hear(const AlignResult& result);
+  /// After a result without a plan the person settles for this; another result will follow.
+  void takeUp(const AlternativeGoal& alternative);
   void hearStep(const Plan& plan, std::size_t index);
   /// Why the plan under way is given up for another.
   void hearTrouble(const std::string& reason);

@@ -101,6 +101,42 @@ TEST(HouseholdAlignment, isSound) {
   expectSound(householdAlignment(size, 6, {}, random));
 }
 
+TEST(HomeAlignment, isSoundAtAnySizeAndFollowsFromTheSeed) {
+  for (const int size : {1, 2, 3, 8, 20, 64}) {
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      SCOPED_TRACE(std::to_string(size) + ", seed " + std::to_string(seed));
+      RandomSource random(seed);
+      RandomSource same(seed);
+      const AlignmentInstance instance = homeAlignment(size, {}, random);
+      expectSound(instance);
+      EXPECT_FALSE(instance.robot.problem.goal.empty());
+      EXPECT_EQ(homeAlignment(size, {}, same).input().robot_problem.text,
+                instance.input().robot_problem.text);
+    }
+  }
+}
+
+TEST(HomeAlignment, speaksOfTheHomesDomains) {
+  RandomSource random(1);
+  const session::Input input = homeAlignment(8, {}, random).input();
+  const auto folder =
+      std::filesystem::path(__FILE__).parent_path() / "../../../config/domains/home";
+  EXPECT_EQ(input.robot_domain.text, pddl::readFile((folder / "robot_domain.pddl").string()).text);
+  EXPECT_EQ(input.human_domain.text, pddl::readFile((folder / "human_domain.pddl").string()).text);
+}
+
+TEST(HomeAlignment, growsInFloorsRoomsAndThings) {
+  const auto objects = [](int size) {
+    RandomSource random(1);
+    return homeAlignment(size, {}, random).robot.problem.objects.size();
+  };
+  EXPECT_LT(objects(4), objects(16));
+  EXPECT_LT(objects(16), objects(64));
+  RandomSource random(1);
+  const std::string problem = homeAlignment(128, {}, random).input().robot_problem.text;
+  EXPECT_NE(problem.find("landing3"), std::string::npos) << "four floors";
+}
+
 TEST(LargeHome, isAsLargeAsItSays) {
   const AlignmentInstance home = largeHome(1);
   expectSound(home);

@@ -105,6 +105,30 @@ TEST_F(Story, tellsWhatIsNotPromisedAndWhatKeepingCosts) {
   expectInOrder({"nobody was asked about, and is not promised: dust", "costs 2 of its 5"});
 }
 
+TEST_F(Story, goesOnWithTheAlternativeThatIsTakenUp) {
+  HumanTask task;
+  task.person = "Ada";
+  story_.begin(task);
+  AlignResult no_plan;
+  no_plan.session_id = "s";
+  no_plan.outcome = AlignResult::EXPECTATION_UNACHIEVABLE;
+  no_plan.alternatives.resize(1);
+  no_plan.alternatives[0].given_up = {fluent("peace"), fluent("quiet")};
+  story_.hear(no_plan);
+  story_.takeUp(no_plan.alternatives[0]);
+  story_.hear(feedbackWith(1, "a"));
+  story_.hear(stateWith({{"a", Candidate::ASKED}}));
+  EXPECT_EQ(out_.str().find("answer"), std::string::npos) << "the question is open";
+  AlignResult found;
+  found.session_id = "s";
+  found.outcome = AlignResult::SUCCESS;
+  found.candidates = stateWith({{"a", Candidate::WANTED}}).candidates;
+  story_.hear(found);
+  expectInOrder({"There is no plan (outcome 52)",
+                 "\nAda settles for this: all but that peace; quiet.\n", "what about a?",
+                 "answers: yes", "a plan of 0 steps"});
+}
+
 TEST_F(Story, isCompletedByTheResult) {
   story_.hear(feedbackWith(1, "a"));
   AlignResult result;

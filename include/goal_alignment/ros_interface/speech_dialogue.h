@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/service_server.h>
+#include <ros/subscriber.h>
+#include <std_msgs/String.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "goal_alignment/AskHuman.h"
+#include "goal_alignment/phrasing/reply.h"
+#include "goal_alignment/phrasing/spoken_question.h"
+#include "goal_alignment/phrasing/vocabulary.h"
+#include "goal_alignment/ros_interface/question_watch.h"
+#include "goal_alignment/ros_interface/speech_options.h"
+#include "goal_alignment/ros_interface/speech_process.h"
+
+namespace goal_alignment::ros_interface {
+
+/// Answers `ask_human` by speech: says the question, and takes what a speech recogniser heard from
+/// `recognised_speech`. What comes while it speaks itself, shortly after, or without a question
+/// counts for nothing. Leaves a question at once when `~question` shows that it is over. All that
+/// it says stands on `~said`, also where nothing can say it aloud.
+class SpeechDialogue {
+ public:
+  /// Throws ParameterError, YamlError, or what pddl::readFile() throws.
+  SpeechDialogue(ros::NodeHandle node, ros::NodeHandle private_node);
+
+  /// Speaks and listens until the node shuts down, on the calling thread; callbacks must run in
+  /// others.
+  void run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool ask(AskHuman::Request& request, AskHuman::Response& response);
+  void hear(const std_msgs::String::ConstPtr& text);
+  AskHuman::Response responseTo(const Question& question,
+                                const std::optional<phrasing::Reply>& reply) const;
+
+  // Of the speaking thread.
+  std::optional<Question> awaitQuestion();
+  std::optional<phrasing::Reply> converse(const Question& question);
+  bool say(const Question& question, const std::string& text);
+  void startSpeaking(const std::string& text);
+  void warnOnce(const std::string& fault);
+  std::optional<std::string> awaitWords(const Question& question, Clock::time_point until);
+  bool isOver(const Question& question) const;
+  void deafen();
+  void listen();
+  void finish(const std::optional<phrasing::Reply>& reply);
+
+  SpeechOptions options_;
+  phrasing::Vocabulary vocabulary_;
+  SpeechProcess speech_;
+  bool warned_ = false;  // that nothing can be said aloud
+
+  std::mutex asking_;         // one question at a time, whoever asks
+  mutable std::mutex mutex_;  // guards the five below
+  std::condition_variable changed_;
+  std::optional<Question> question_;
+  bool finished_ = false;  // the question was answered, or left without a reply
+  std::optional<phrasing::Reply> reply_;
+  bool listening_ = false;
+  std::deque<std::string> heard_;  // while it listened
+
+  ros::Publisher said_;
+  ros::Subscriber recognised_;
+  QuestionWatch watch_;
+  ros::ServiceServer service_;
+};
+
+}  // namespace goal_alignment::ros_interface

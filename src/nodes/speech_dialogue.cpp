@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Answers ask_human by asking a person aloud.
+#include "goal_alignment/ros_interface/speech_dialogue.h"
+
+#include <ros/ros.h>
+
+#include <exception>
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "speech_dialogue");
+  try {
+    goal_alignment::ros_interface::SpeechDialogue dialogue{ros::NodeHandle{}, ros::NodeHandle{"~"}};
+    ros::AsyncSpinner spinner(3);  // a second asker waits for the first, while words come in
+    spinner.start();
+    dialogue.run();
+    spinner.stop();
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/speech_dialogue.h"
+
+#include <fmt/format.h>
+#include <ros/console.h>
+#include <ros/init.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/pddl/source_position.h"
+#include "goal_alignment/ros_interface/message_conversion.h"
+#include "goal_alignment/ros_interface/node_constants.h"
+#include "goal_alignment/ros_interface/package_files.h"
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+constexpr std::uint32_t kQueueSize = 10;
+constexpr std::chrono::milliseconds kTick{20};  // for what tells nobody: shutdown, a process's end
+constexpr std::chrono::milliseconds kIdleTick{100};
+
+phrasing::Vocabulary vocabularyOf(const std::string& file) {
+  const pddl::Source source = pddl::readFile(resolveFile(file));
+  return phrasing::Vocabulary::fromYaml(source.text, source.name);
+}
+
+std::vector<std::string> clausesOf(const Question& question) {
+  std::vector<std::string> clauses;
+  for (const Fluent& fluent : question.fluents)
+    clauses.push_back(fluent.text.empty() ? toLiteral(fluent).text() : fluent.text);
+  return clauses;
+}
+
+std::chrono::steady_clock::time_point after(double seconds) {
+  using Clock = std::chrono::steady_clock;
+  return Clock::now() +
+         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+SpeechDialogue::SpeechDialogue(ros::NodeHandle node, ros::NodeHandle private_node)
+    : options_(SpeechOptions::read(private_node)),
+      vocabulary_(vocabularyOf(options_.vocabulary)),
+      said_(private_node.advertise<std_msgs::String>(kSaidTopic, kQueueSize)),
+      recognised_(node.subscribe(kRecognisedSpeechTopic, kQueueSize, &SpeechDialogue::hear, this)),
+      watch_(node, [this] { changed_.notify_all(); }) {
+  for (const std::string& key : options_.unknown)
+    ROS_WARN("parameter %s/%s: there is no such parameter", private_node.getNamespace().c_str(),
+             key.c_str());
+  service_ = node.advertiseService(kAskHumanService, &SpeechDialogue::ask, this);
+}
+
+bool SpeechDialogue::ask(AskHuman::Request& request, AskHuman::Response& response) {
+  response.answer = AskHuman::Response::NONE;
+  if (request.question.question_id == 0) return true;  // no question: there is nothing to wait for
+  const std::lock_guard<std::mutex> one_at_a_time(asking_);
+  std::unique_lock<std::mutex> lock(mutex_);
+  question_ = request.question;
+  reply_.reset();
+  finished_ = false;
+  changed_.notify_all();
+  while (!finished_ && ros::ok())
+    changed_.wait_for(lock, kTick);
+  question_.reset();
+  response = responseTo(request.question, reply_);
+  return true;
+}
+
+// Without a reply the question is left as it is.
+AskHuman::Response SpeechDialogue::responseTo(const Question& question,
+                                              const std::optional<phrasing::Reply>& reply) const {
+  AskHuman::Response response;
+  response.answer =
+      reply ? static_cast<std::int8_t>(reply->kind) : std::int8_t{AskHuman::Response::NONE};
+  response.question_id = question.question_id;
+  response.answered_by = question.person.empty() ? options_.person : question.person;
+  if (!reply) return response;
+  for (const std::size_t index : reply->chosen)
+    response.fluents.push_back(toLiteral(question.fluents.at(index)).text());
+  return response;
+}
+
+void SpeechDialogue::hear(const std_msgs::String::ConstPtr& text) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!listening_) {
+      ROS_DEBUG("not listening: %s", text->data.c_str());
+      return;
+    }
+    heard_.push_back(text->data);
+  }
+  changed_.notify_all();
+}
+
+void SpeechDialogue::run() {
+  while (ros::ok()) {
+    const auto question = awaitQuestion();
+    if (question) finish(converse(*question));
+  }
+  speech_.stop();
+}
+
+std::optional<Question> SpeechDialogue::awaitQuestion() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (!question_ || finished_) changed_.wait_for(lock, kIdleTick);
+  return finished_ ? std::nullopt : question_;
+}
+
+// Nothing where the question is over, or the node ends.
+std::optional<phrasing::Reply> SpeechDialogue::converse(const Question& question) {
+  phrasing::SpokenQuestion spoken(vocabulary_, question.text, question.why, clausesOf(question),
+                                  options_.retries);
+  std::string next = spoken.asked();
+  while (say(question, next)) {
+    next.clear();
+    const auto words = awaitWords(question, after(options_.reply_timeout));
+    if (!words) {
+      next = spoken.silence();
+      continue;
+    }
+    auto turn = spoken.hear(*words);
+    if (turn.reply) return turn.reply;
+    next = turn.say;
+  }
+  return std::nullopt;
+}
+
+// Speaks to the end, then listens; an empty text goes on listening. False where the question is
+// over.
+bool SpeechDialogue::say(const Question& question, const std::string& text) {
+  if (text.empty()) return !isOver(question);
+  deafen();
+  startSpeaking(text);
+  const auto cut_off = after(options_.say_timeout);
+  bool aloud = false;
+  while (speech_.isRunning()) {
+    aloud = true;
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_for(lock, kTick);
+    lock.unlock();
+    if (isOver(question)) break;
+    if (Clock::now() < cut_off) continue;
+    ROS_WARN("cut off after %g s: %s", options_.say_timeout, text.c_str());
+    break;
+  }
+  if (aloud && !speech_.isRunning() && speech_.lastStatus() != 0)
+    warnOnce(
+        fmt::format("{} ended with status {}", options_.say_command.front(), speech_.lastStatus()));
+  speech_.stop();
+  if (aloud) awaitWords(question, after(options_.echo_time));  // deaf, it hears nothing
+  listen();
+  return !isOver(question);
+}
+
+void SpeechDialogue::startSpeaking(const std::string& text) {
+  std_msgs::String message;
+  message.data = text;
+  said_.publish(message);
+  const std::vector<std::string> command = options_.commandFor(text);
+  if (command.empty()) return;
+  std::string fault;
+  try {
+    if (speech_.start(command)) return;
+    fault = "there is no program " + command.front();
+  } catch (const std::system_error& error) {
+    fault = error.what();
+  }
+  warnOnce(fault);
+}
+
+void SpeechDialogue::warnOnce(const std::string& fault) {
+  if (warned_) return;
+  warned_ = true;
+  ROS_WARN("nothing is said aloud, %s; what would be said stands on %s", fault.c_str(),
+           said_.getTopic().c_str());
+}
+
+// What was recognised, or nothing when the time is up or the question is over.
+std::optional<std::string> SpeechDialogue::awaitWords(const Question& question,
+                                                      Clock::time_point until) {
+  while (!isOver(question)) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (!heard_.empty()) {
+      std::string words = std::move(heard_.front());
+      heard_.pop_front();
+      return words;
+    }
+    const auto now = Clock::now();
+    if (now >= until) break;
+    changed_.wait_until(lock, std::min(until, now + Clock::duration(kTick)));
+  }
+  return std::nullopt;
+}
+
+bool SpeechDialogue::isOver(const Question& question) const {
+  return !ros::ok() || watch_.isGone(question);
+}
+
+void SpeechDialogue::deafen() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  listening_ = false;
+  heard_.clear();
+}
+
+void SpeechDialogue::listen() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  listening_ = true;
+}
+
+void SpeechDialogue::finish(const std::optional<phrasing::Reply>& reply) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    listening_ = false;
+    heard_.clear();
+    reply_ = reply;
+    finished_ = true;
+  }
+  changed_.notify_all();
+}
+
+}  // namespace goal_alignment::ros_interface

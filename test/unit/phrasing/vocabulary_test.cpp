@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/phrasing/vocabulary.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "goal_alignment/pddl/source_position.h"
+#include "goal_alignment/phrasing/phrases.h"
+#include "goal_alignment/phrasing/spoken_question.h"
+
+namespace goal_alignment::phrasing {
+namespace {
+
+using Kind = Reply::Kind;
+
+Vocabulary vocabularyOf(const std::string& file) {
+  const std::filesystem::path root = std::filesystem::path(__FILE__).parent_path() / "../../..";
+  return Vocabulary::fromYaml(pddl::readFile((root / "config/vocabulary" / file).string()).text,
+                              file);
+}
+
+const Vocabulary& english() {
+  static const Vocabulary vocabulary = vocabularyOf("en.yaml");
+  return vocabulary;
+}
+
+const std::vector<std::string>& laundry() {
+  static const std::vector<std::string> clauses = {"the towel hangs on the clothes horse",
+                                                   "the school shirt hangs on the clothes horse",
+                                                   "the sports shirt hangs on the clothes horse"};
+  return clauses;
+}
+
+// "yes", "no", "unsure", "decline", "repeat", "why", "" for nothing, and numbers from 1.
+std::string meaning(const Vocabulary& vocabulary, const std::string& said,
+                    const std::vector<std::string>& offered = {"it rains"}) {
+  const auto heard = vocabulary.understand(said, offered);
+  if (!heard) return "";
+  if (heard->kind == Heard::Kind::Repeat) return "repeat";
+  if (heard->kind == Heard::Kind::Why) return "why";
+  if (!heard->reply.chosen.empty()) {
+    EXPECT_EQ(heard->reply.kind, Kind::Yes);
+    std::string numbers;
+    for (const std::size_t index : heard->reply.chosen)
+      numbers += std::to_string(index + 1);
+    return numbers;
+  }
+  const char* words[] = {"no", "yes", "unsure", "decline"};
+  return words[static_cast<int>(heard->reply.kind)];
+}
+
+std::string ofSeveral(const std::string& said) {
+  return meaning(english(), said, laundry());
+}
+
+TEST(Vocabulary, UnderstandsAnswersInAnyCaseAndWithCourtesy) {
+  for (const char* said : {"yes", "Yes.", "  YES,  please!", "well, yes", "It does.", "Of course"})
+    EXPECT_EQ(meaning(english(), said), "yes") << said;
+  for (const char* said : {"no", "No, thank you.", "it doesn't matter", "it doesn\u2019t"})
+    EXPECT_EQ(meaning(english(), said), "no") << said;
+  EXPECT_EQ(meaning(english(), "I don't know"), "unsure");
+  EXPECT_EQ(meaning(english(), "no more questions please"), "decline");
+  EXPECT_EQ(meaning(english(), "Pardon?"), "repeat");
+  EXPECT_EQ(meaning(english(), "Why do you ask?"), "why");
+}
+
+TEST(Vocabulary, TakesNothingElseForAnAnswer) {
+  for (const char* said : {"", "...", "yes and no", "yes but not now", "no yes", "yesterday", "1",
+                           "all of them", "it rains"})
+    EXPECT_EQ(meaning(english(), said), "") << said;
+}
+
+TEST(Vocabulary, OfSeveralThingsNumbersChoose) {
+  EXPECT_EQ(ofSeveral("the first and the third"), "13");
+  EXPECT_EQ(ofSeveral("one, three"), "13");
+  EXPECT_EQ(ofSeveral("1 3"), "13");
+  EXPECT_EQ(ofSeveral("number two please"), "2");
+  EXPECT_EQ(ofSeveral("the second one"), "2") << "this one is no number";
+  EXPECT_EQ(ofSeveral("two and one"), "12");
+  EXPECT_EQ(ofSeveral("the first and the sports shirt"), "13");
+  EXPECT_EQ(ofSeveral("yes, the first one"), "1");
+  EXPECT_EQ(ofSeveral("the fourth"), "") << "there are three";
+}
+
+TEST(Vocabulary, OfSeveralThingsNamesChoose) {
+  EXPECT_EQ(ofSeveral("the towel"), "1");
+  EXPECT_EQ(ofSeveral("The school shirt and the towel"), "12");
+  EXPECT_EQ(ofSeveral("sports shirt"), "3");
+  EXPECT_EQ(ofSeveral("the shirt"), "") << "which?";
+  EXPECT_EQ(ofSeveral("the bed sheet"), "");
+  EXPECT_EQ(ofSeveral("not the towel"), "");
+  EXPECT_EQ(ofSeveral("all but the towel"), "");
+  EXPECT_EQ(ofSeveral("no, the towel"), "");
+}
+
+TEST(Vocabulary, OfSeveralThingsAllOrNone) {
+  EXPECT_EQ(ofSeveral("all of them"), "yes");
+  EXPECT_EQ(ofSeveral("yes, all of them"), "yes");
+  EXPECT_EQ(ofSeveral("none"), "no");
+  EXPECT_EQ(ofSeveral("no"), "no");
+  EXPECT_EQ(ofSeveral("yes"), "") << "which of these?";
+  EXPECT_EQ(ofSeveral("y"), "");
+  EXPECT_EQ(ofSeveral("don't know"), "unsure");
+}
+
+TEST(Vocabulary, SpeaksGermanFromItsFile) {
+  const Vocabulary german = vocabularyOf("de.yaml");
+  EXPECT_EQ(meaning(german, "Ja, bitte!"), "yes");
+  EXPECT_EQ(meaning(german, "Natürlich."), "yes");
+  EXPECT_EQ(meaning(german, "Ist egal"), "no");
+  EXPECT_EQ(meaning(german, "Keine Ahnung"), "unsure");
+  EXPECT_EQ(meaning(german, "die erste und die dritte", laundry()), "13");
+  EXPECT_EQ(german.numbered(4, "Tee"), "fünf: Tee.");
+}
+
+// A vocabulary with this beside the least that there must be.
+std::string faultOf(const std::string& more, const std::string& say = "") {
+  const std::string rest =
+      "say: {which: w, numbered: '{0}: {1}', sorry: s, answers: a, group_answers: g, no_reason: n" +
+      say + "}\n";
+  try {
+    Vocabulary::fromYaml("'yes': ['yes']\n'no': ['no']\n" + rest + more, "words.yaml");
+  } catch (const YamlError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(VocabularyFile, FaultsNameTheirPlace) {
+  EXPECT_EQ(faultOf(""), "");
+  EXPECT_EQ(faultOf("maybe: ['maybe']").rfind("words.yaml:4:1: expected one of yes, no, ", 0), 0U);
+  EXPECT_EQ(faultOf("why: 'why'"),
+            "words.yaml:4:6: expected a list of what may be heard, found 'why'");
+  EXPECT_EQ(faultOf("why: []"), "words.yaml:4:6: expected what may be heard, found an empty list");
+  EXPECT_EQ(faultOf("why: ['?!']"), "words.yaml:4:7: expected at least one word, found '?!'");
+  EXPECT_EQ(faultOf("why: ['No!']"),
+            "words.yaml:4:7: expected a text of one meaning, found 'No!', which has another above");
+  EXPECT_EQ(faultOf("ignored: ['oh well']"), "words.yaml:4:11: expected one word, found 'oh well'");
+  EXPECT_EQ(faultOf("numbers: {0: ['zero']}"),
+            "words.yaml:4:11: expected a number from 1 to 255, found '0'");
+  EXPECT_EQ(faultOf("numbers: {1: ['one'], 2: ['One']}"),
+            "words.yaml:4:28: expected each word once, found 'one' again");
+  EXPECT_EQ(faultOf("why: [[]]").rfind("words.yaml:4:7: ", 0), 0U);
+  EXPECT_EQ(faultOf("{").rfind("words.yaml:", 0), 0U);
+  EXPECT_NE(faultOf("", ", goodbye: b").find("'goodbye'"), std::string::npos);
+  EXPECT_NE(faultOf("", ", sorry: again").find("'sorry'"), std::string::npos);
+  EXPECT_NE(faultOf("why: ['a please']\nignored: ['please']\nrepeat: ['a']"), "")
+      << "without what is ignored they are the same";
+}
+
+TEST(VocabularyFile, YesNoAndWhatIsSaidMustBeThere) {
+  const auto fault = [](const std::string& text) -> std::string {
+    try {
+      Vocabulary::fromYaml(text, "words.yaml");
+    } catch (const YamlError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(fault(""), "words.yaml:1:1: expected words for yes and no, found nothing");
+  EXPECT_EQ(fault("- 'yes'"),
+            "words.yaml:1:1: expected a map with 'yes', 'no' and 'say', found a list");
+  EXPECT_NE(fault("'yes': ['yes']").find("expected 'no'"), std::string::npos);
+  EXPECT_NE(fault("'yes': [a]\n'no': [b]").find("expected 'say'"), std::string::npos);
+  EXPECT_NE(fault("'yes': [a]\n'no': [b]\nsay: {which: w}").find("'answers'"), std::string::npos);
+  EXPECT_NE(fault("'yes': [a]\n'no': [b]\nsay: {numbered: '{0}'}").find("{1}"), std::string::npos);
+}
+
+class SpokenLaundry : public testing::Test {
+ protected:
+  SpokenQuestion several_{english(), "which?", "I have two pegs.", laundry(), 2};
+  SpokenQuestion one_{english(), "Does it matter to you that it rains?", "", {"it rains"}, 1};
+};
+
+TEST_F(SpokenLaundry, IsAskedWithNumbers) {
+  EXPECT_EQ(several_.asked().find("Which of these matter to you? one: the towel hangs"), 0U)
+      << several_.asked();
+  EXPECT_NE(several_.asked().find("three: the sports shirt hangs on the clothes horse."),
+            std::string::npos);
+  EXPECT_EQ(one_.asked(), "Does it matter to you that it rains?");
+}
+
+TEST_F(SpokenLaundry, AnswersEndIt) {
+  ASSERT_TRUE(several_.hear("two").reply);
+  EXPECT_EQ(several_.hear("two").reply->chosen, std::vector<std::size_t>{1});
+  EXPECT_EQ(one_.hear("no").reply->kind, Kind::No);
+}
+
+TEST_F(SpokenLaundry, ItRepeatsAndGivesItsReasonAsOftenAsOneAsks) {
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(several_.hear("say that again").say, several_.asked());
+    EXPECT_EQ(several_.hear("why?").say, "I have two pegs.");
+  }
+  EXPECT_EQ(one_.hear("why").say, "I have no reason to give.");
+}
+
+TEST_F(SpokenLaundry, ItSaysSorrySoManyTimesAndStillUnderstands) {
+  EXPECT_EQ(one_.hear("bananas").say.find("Sorry? Does it matter"), 0U);
+  EXPECT_EQ(one_.hear("bananas").say, "");
+  EXPECT_EQ(one_.hear("yes").reply->kind, Kind::Yes);
+}
+
+TEST_F(SpokenLaundry, ItAsksAgainAfterSilenceSoManyTimes) {
+  EXPECT_EQ(several_.silence().find(several_.asked()), 0U);
+  EXPECT_NE(several_.silence(), "");
+  EXPECT_EQ(several_.silence(), "");
+}
+
+}  // namespace
+}  // namespace goal_alignment::phrasing
