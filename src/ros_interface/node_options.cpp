@@ -116,6 +116,8 @@ NodeOptions NodeOptions::read(const XmlRpc::XmlRpcValue& values, const std::stri
   reader.read("ask_retries", options.ask_retries, 0, kMostRetries);
   reader.read("journal_expiry", options.journal_expiry, 0, kLongestExpiry);
   reader.read("diagnostic_period", options.diagnostic_period, 0.01, 3600);
+  reader.read("markers", options.markers);
+  reader.read("marker_frames", options.marker_frames);
   options.unknown = reader.unknown();
   return options;
 }

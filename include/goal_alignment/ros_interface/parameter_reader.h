@@ -4,6 +4,7 @@
 #include <XmlRpcValue.h>
 
 #include <cstddef>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -30,6 +31,8 @@ class ParameterReader {
   void read(const std::string& key, int& value, int low, int high);
   /// A list of PDDL names; they come out in lower case.
   void read(const std::string& key, std::vector<std::string>& names);
+  /// A struct with a text for each PDDL name; the names come out in lower case.
+  void read(const std::string& key, std::map<std::string, std::string>& texts);
   /// Index of the word found among `words`; `value` where the key is not there.
   std::size_t readChoice(const std::string& key, const std::vector<std::string>& words,
                          std::size_t value);
