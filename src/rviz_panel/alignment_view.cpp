@@ -92,6 +92,7 @@ QWidget* AlignmentView::tabs() {
   tabs_ = new QTabWidget(this);
   tabs_->setObjectName(QStringLiteral("tabs"));
   tabs_->setUsesScrollButtons(false);
+  tabs_->setElideMode(Qt::ElideRight);
   auto* page = new QWidget(tabs_);
   candidates_ = new CandidateTable(page);
   filter_ = new QLineEdit(page);

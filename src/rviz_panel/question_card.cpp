@@ -20,10 +20,9 @@ QString countLine(const Question& question) {
   if (!question.person.empty())
     text += QStringLiteral(" for %1").arg(QString::fromStdString(question.person));
   if (question.max_remaining > 1) {
-    text += QStringLiteral("  ·  at most %1 more%2")
+    text += QStringLiteral("  ·  up to %1 more%2")
                 .arg(question.max_remaining - 1)
-                .arg(question.bound_is_provisional != 0 ? QStringLiteral(", as far as is known")
-                                                        : QString());
+                .arg(question.bound_is_provisional != 0 ? QStringLiteral(" for now") : QString());
   } else if (question.max_remaining == 1 && question.bound_is_provisional == 0) {
     text += QStringLiteral("  ·  the last one");
   }

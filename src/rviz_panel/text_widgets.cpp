@@ -20,7 +20,16 @@ WrappedLabel::WrappedLabel(QWidget* parent) : QLabel(parent) {
   setTextFormat(Qt::PlainText);
   setWordWrap(true);
   setMinimumWidth(1);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+// Qt's own hint is for a text of pleasant proportions; here the width is given.
+QSize WrappedLabel::sizeHint() const {
+  return {QLabel::sizeHint().width(), heightForWidth(width())};
+}
+
+QSize WrappedLabel::minimumSizeHint() const {
+  return {1, heightForWidth(width())};
 }
 
 void WrappedLabel::setTone(Tone tone) {

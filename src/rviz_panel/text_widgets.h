@@ -22,6 +22,8 @@ class WrappedLabel : public QLabel {
   void setLook(double size, bool bold);  // relative to the usual size
   /// Hidden while there is nothing to say.
   void say(const QString& text);
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

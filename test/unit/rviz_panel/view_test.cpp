@@ -22,6 +22,7 @@ namespace {
 constexpr int kNarrow = 350;  // pixels
 constexpr int kHigh = 700;
 constexpr int kMany = 1000;
+constexpr int kPatience = 20000;  // milliseconds
 
 class View : public testing::Test {
  protected:
@@ -127,21 +128,21 @@ TEST_F(View, aRefusedAnswerShowsTheReasonAndMayBeGivenAgain) {
 TEST_F(View, keysAnswerToo) {
   QSignalSpy answers(&view_, &AlignmentView::answered);
   ask(questionAbout(7, {fluent("at", {"thing0", "kitchen"})}));
-  QTest::qWaitForWindowActive(&view_);
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view_));
   find<QWidget>("candidates")->setFocus();
   QTest::keyClick(find<QWidget>("candidates"), Qt::Key_D, Qt::AltModifier);
-  ASSERT_EQ(answers.count(), 1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return answers.count() == 1; }, kPatience));
   EXPECT_EQ(answers[0][0].toInt(), Answer::Request::UNSURE);
   ask(questionAbout(8, {fluent("at", {"thing1", "kitchen"})}));
   QTest::keyClick(find<QWidget>("candidates"), Qt::Key_N);
-  ASSERT_EQ(answers.count(), 2);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return answers.count() == 2; }, kPatience));
   EXPECT_EQ(answers[1][0].toInt(), Answer::Request::NO);
 }
 
 TEST_F(View, lettersThatAreTypedAreNoAnswers) {
   QSignalSpy answers(&view_, &AlignmentView::answered);
   ask(questionAbout(7, {fluent("at", {"thing0", "kitchen"})}));
-  QTest::qWaitForWindowActive(&view_);
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view_));
   find<QWidget>("filter")->setFocus();
   QTest::keyClicks(find<QWidget>("filter"), "yndy");
   EXPECT_EQ(answers.count(), 0);
