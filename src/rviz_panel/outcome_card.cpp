@@ -40,14 +40,10 @@ OutcomeCard::OutcomeCard(QWidget* parent)
       message_(new WrappedLabel(this)),
       conflict_(new WrappedLabel(this)),
       offer_(new WrappedLabel(this)),
-      scroll_(new QScrollArea(this)) {
+      scroll_(new ShortScroll(kMostButtons, this)) {
   setObjectName(QStringLiteral("outcome_card"));
   headline_->setLook(kLarge, true);
   conflict_->setObjectName(QStringLiteral("conflict"));
-  scroll_->setFrameShape(QFrame::NoFrame);
-  scroll_->setWidgetResizable(true);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->viewport()->setAutoFillBackground(false);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kMargin, kMargin - 2, kMargin, kMargin);
   for (WrappedLabel* label : {headline_, message_, conflict_, offer_})
@@ -62,9 +58,13 @@ void OutcomeCard::show(const AlignmentState& state) {
   shown_ = state;
   setTone(isProven(state) ? Tone::Bad
                           : state.outcome == AlignResult::CANCELED ? Tone::Muted : Tone::Warning);
-  headline_->say(phaseLine(state));
+  const QString headline = phaseLine(state);
+  headline_->say(headline);
   const QString message = sentence(QString::fromStdString(state.message));
-  message_->say(message.compare(phaseLine(state), Qt::CaseInsensitive) == 0 ? QString() : message);
+  // Where there is a conflict, the message says the same in one long sentence.
+  const bool says_more = state.conflict.empty() && message.compare(headline, Qt::CaseInsensitive) != 0;
+  message_->say(says_more ? message : QString());
+  setToolTip(message);
   conflict_->say(conflictText(state.conflict));
   showAlternatives(state);
 }
@@ -79,7 +79,7 @@ void OutcomeCard::showAlternatives(const AlignmentState& state) {
   for (const AlternativeGoal& alternative : state.alternatives) {
     auto* button = new WrappedButton(
         sentence(phrasesOf(alternative.given_up).join(QStringLiteral("; "))),
-        QStringLiteral("%1 likely that you can do without").arg(percent(alternative.probability)),
+        QStringLiteral("how likely you can do without it: %1").arg(percent(alternative.probability)),
         buttons);
     button->setObjectName(QStringLiteral("alternative_%1").arg(number++));
     layout->addWidget(button);
@@ -87,10 +87,7 @@ void OutcomeCard::showAlternatives(const AlignmentState& state) {
             [this, id = QString::fromStdString(state.session_id),
              given_up = alternative.given_up] { emit takenUp(id, given_up); });
   }
-  layout->addStretch();
-  scroll_->setWidget(buttons);
-  buttons->setAutoFillBackground(false);
-  scroll_->setFixedHeight(qMin(kMostButtons, 4 + layout->sizeHint().height()));
+  scroll_->hold(buttons);
 }
 
 }  // namespace goal_alignment::rviz_panel

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <QScrollArea>
-
 #include "goal_alignment/AlignmentState.h"
 #include "text_widgets.h"
 
@@ -28,7 +26,7 @@ class OutcomeCard : public Card {
   WrappedLabel* message_;
   WrappedLabel* conflict_;
   WrappedLabel* offer_;
-  QScrollArea* scroll_;
+  ShortScroll* scroll_;
 };
 
 }  // namespace goal_alignment::rviz_panel

@@ -36,17 +36,13 @@ QuestionCard::QuestionCard(QWidget* parent)
       count_(new WrappedLabel(this)),
       text_(new WrappedLabel(this)),
       why_(new WrappedLabel(this)),
-      scroll_(new QScrollArea(this)),
+      scroll_(new ShortScroll(kMostTicks, this)),
       buttons_(new QWidget(this)) {
   setObjectName(QStringLiteral("question_card"));
   text_->setObjectName(QStringLiteral("question_text"));
   why_->setObjectName(QStringLiteral("question_why"));
   count_->setTone(Tone::Accent);
   text_->setLook(kLarge, true);
-  scroll_->setFrameShape(QFrame::NoFrame);
-  scroll_->setWidgetResizable(true);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->viewport()->setAutoFillBackground(false);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kMargin, kMargin - 2, kMargin, kMargin);
@@ -96,24 +92,22 @@ void QuestionCard::show(const Question& question) {
 void QuestionCard::showTicks(const Question& question) {
   boxes_.clear();
   fluents_.clear();
-  ticks_ = new QWidget;
-  auto* layout = new QVBoxLayout(ticks_);
+  auto* ticks = new QWidget;
+  auto* layout = new QVBoxLayout(ticks);
   layout->setContentsMargins(0, 0, 0, 0);
   const bool group = question.fluents.size() > 1;
   for (const Fluent& fluent : question.fluents) {
     fluents_ << pddlOf(fluent);
     if (!group) continue;
-    auto* box = new TickBox(sentence(phraseOf(fluent)), ticks_);
+    auto* box = new TickBox(sentence(phraseOf(fluent)), ticks);
     box->setObjectName(fluents_.last());
     box->setToolTip(fluents_.last());
     connect(box, &TickBox::toggled, this, &QuestionCard::labelButtons);
     layout->addWidget(box);
     boxes_.push_back(box);
   }
-  scroll_->setWidget(ticks_);
-  ticks_->setAutoFillBackground(false);
+  scroll_->hold(ticks);
   scroll_->setVisible(group);
-  if (group) scroll_->setFixedHeight(qMin(kMostTicks, ticks_->sizeHint().height() + 2));
 }
 
 QStringList QuestionCard::ticked() const {
@@ -127,7 +121,8 @@ QStringList QuestionCard::ticked() const {
 void QuestionCard::labelButtons() {
   const int number = ticked().size();
   const bool group = !boxes_.empty();
-  yes_->setText(!group ? QStringLiteral("&Yes") : QStringLiteral("&Yes, these %1").arg(number));
+  yes_->setText(number == 0 ? QStringLiteral("&Yes")
+                            : QStringLiteral("&Yes, %1 of %2").arg(number).arg(fluents_.size()));
   no_->setText(group ? QStringLiteral("&None") : QStringLiteral("&No"));
   const bool enabled = answerable_ && !waiting_;
   yes_->setEnabled(enabled && (!group || number > 0));

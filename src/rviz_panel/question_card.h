@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStringList>
 #include <vector>
 
@@ -46,8 +45,7 @@ class QuestionCard : public Card {
   WrappedLabel* count_;
   WrappedLabel* text_;
   WrappedLabel* why_;
-  QScrollArea* scroll_;
-  QWidget* ticks_ = nullptr;
+  ShortScroll* scroll_;
   QWidget* buttons_;
   QPushButton* yes_;
   QPushButton* no_;

@@ -20,16 +20,18 @@ WrappedLabel::WrappedLabel(QWidget* parent) : QLabel(parent) {
   setTextFormat(Qt::PlainText);
   setWordWrap(true);
   setMinimumWidth(1);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
 }
 
-// Qt's own hint is for a text of pleasant proportions; here the width is given.
+// The height follows from the width, so that a hint says nothing of it.
 QSize WrappedLabel::sizeHint() const {
-  return {QLabel::sizeHint().width(), heightForWidth(width())};
+  return {QLabel::sizeHint().width(), fontMetrics().height()};
 }
 
 QSize WrappedLabel::minimumSizeHint() const {
-  return {1, heightForWidth(width())};
+  return {1, fontMetrics().height()};
 }
 
 void WrappedLabel::setTone(Tone tone) {
@@ -47,21 +49,10 @@ void WrappedLabel::setLook(double size, bool bold) {
 void WrappedLabel::say(const QString& text) {
   if (text != this->text()) setText(text);
   setHidden(text.isEmpty());
-  fit();
-}
-
-void WrappedLabel::fit() {
-  setMinimumHeight(text().isEmpty() ? 0 : heightForWidth(width()));
-}
-
-void WrappedLabel::resizeEvent(QResizeEvent* event) {
-  QLabel::resizeEvent(event);
-  fit();
 }
 
 void WrappedLabel::changeEvent(QEvent* event) {
   QLabel::changeEvent(event);
-  if (event->type() == QEvent::FontChange) fit();
   // Our own change of the palette comes by here as well.
   if (event->type() == QEvent::PaletteChange) paintTone();
 }
@@ -78,7 +69,9 @@ void WrappedLabel::paintTone() {
 
 WrappedButton::WrappedButton(const QString& text, const QString& note, QWidget* parent)
     : QPushButton(parent), text_(new WrappedLabel(this)), note_(new WrappedLabel(this)) {
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
   setAccessibleName(text);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kMargin, kMargin - 2, kMargin, kMargin - 2);
@@ -93,24 +86,47 @@ WrappedButton::WrappedButton(const QString& text, const QString& note, QWidget* 
   note_->say(note);
 }
 
-int WrappedButton::heightFor(int width) const {
-  const int inside = qMax(1, width - 2 * kMargin);
-  int height = 2 * (kMargin - 2) + text_->heightForWidth(inside);
-  if (!note_->text().isEmpty()) height += 1 + note_->heightForWidth(inside);
-  return height;
+int WrappedButton::heightForWidth(int width) const {
+  return layout()->totalHeightForWidth(width);
 }
 
 QSize WrappedButton::sizeHint() const {
-  return {QPushButton::sizeHint().width(), heightFor(width())};
+  return {layout()->totalSizeHint().width(), fontMetrics().height()};
 }
 
 QSize WrappedButton::minimumSizeHint() const {
-  return {1, heightFor(width())};
+  return {1, fontMetrics().height()};
 }
 
-void WrappedButton::resizeEvent(QResizeEvent* event) {
-  QPushButton::resizeEvent(event);
-  setFixedHeight(heightFor(width()));
+ShortScroll::ShortScroll(int most, QWidget* parent) : QScrollArea(parent), most_(most) {
+  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+  setFrameShape(QFrame::NoFrame);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  viewport()->setAutoFillBackground(false);
+}
+
+void ShortScroll::hold(QWidget* content) {
+  setWidget(content);
+  content->setAutoFillBackground(false);
+  updateGeometry();
+}
+
+int ShortScroll::heightForWidth(int width) const {
+  if (widget() == nullptr) return 0;
+  const int height = widget()->hasHeightForWidth() ? widget()->heightForWidth(width)
+                                                   : widget()->sizeHint().height();
+  return qMin(most_, height);
+}
+
+QSize ShortScroll::sizeHint() const {
+  return {1, fontMetrics().height()};
+}
+
+QSize ShortScroll::minimumSizeHint() const {
+  return {1, fontMetrics().height()};
 }
 
 TickBox::TickBox(const QString& text, QWidget* parent)

@@ -5,6 +5,7 @@
 #include <QFrame>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 
 #include "colours.h"
 
@@ -12,7 +13,7 @@
 /// names from PDDL must not be read as markup.
 namespace goal_alignment::rviz_panel {
 
-/// Wraps, and is always as high as its text needs at its width.
+/// Wraps, and is as high as its text needs at its width.
 class WrappedLabel : public QLabel {
   Q_OBJECT
 
@@ -26,11 +27,9 @@ class WrappedLabel : public QLabel {
   QSize minimumSizeHint() const override;
 
  protected:
-  void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
-  void fit();
   void paintTone();
   Tone tone_ = Tone::Plain;
 };
@@ -40,17 +39,33 @@ class WrappedButton : public QPushButton {
   Q_OBJECT
 
  public:
-  explicit WrappedButton(const QString& text, const QString& note, QWidget* parent = nullptr);
+  WrappedButton(const QString& text, const QString& note, QWidget* parent = nullptr);
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
- protected:
-  void resizeEvent(QResizeEvent* event) override;
-
  private:
-  int heightFor(int width) const;
   WrappedLabel* text_;
   WrappedLabel* note_;
+};
+
+/// As high as what it holds needs at its width, up to a limit; from there on it scrolls.
+class ShortScroll : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  /// In pixels.
+  explicit ShortScroll(int most, QWidget* parent = nullptr);
+  /// Replaces what it held before.
+  void hold(QWidget* content);
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ private:
+  int most_;
 };
 
 /// A tick box whose text wraps; a click on the text ticks it, too.

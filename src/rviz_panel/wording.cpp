@@ -21,7 +21,7 @@ QString outcomeLine(const AlignmentState& state) {
       return QStringLiteral("Canceled");
     case AlignResult::GOAL_UNSOLVABLE:
     case AlignResult::EXPECTATION_UNACHIEVABLE:
-      return QStringLiteral("There is no plan");
+      return QStringLiteral("There is no plan, that is certain");
     default:
       return QStringLiteral("Ended without a plan (outcome %1)").arg(state.outcome);
   }

@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QProcess>
+#include <QTabWidget>
 #include <QThread>
 #include <cstdlib>
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int kHigh = 840;   // pixels
 constexpr int kWide = 1240;  // pixels
+constexpr int kRests = 20;   // looks at a place that has not moved, 5 ms or more from one to the next
 constexpr const char* kPanelClass = "goal_alignment/AlignmentPanel";
 
 std::string alignerOf(const std::string& robot) {
@@ -49,22 +51,31 @@ bool comesTrue(const std::function<bool()>& holds, double seconds) {
   return true;
 }
 
-void clickAt(const QPoint& pixel, int button) {
+// What was laid out a moment ago may still move.
+void clickAt(const QWidget* widget, const std::function<QPoint()>& place, int button) {
+  QPoint pixel;
+  int rests = 0;
+  ASSERT_TRUE(comesTrue([&] {
+    const QPoint now = widget->isVisible() ? widget->mapToGlobal(place()) : QPoint();
+    rests = now == pixel && !now.isNull() ? rests + 1 : 0;
+    pixel = now;
+    return rests > kRests;
+  }));
   xdotool({"mousemove", QString::number(pixel.x()), QString::number(pixel.y()), "click",
            QString::number(button)});
 }
 
-void clickOn(QWidget* widget) {
+void clickOn(const QWidget* widget) {
   ASSERT_NE(widget, nullptr);
   ASSERT_TRUE(comesTrue([&] { return widget->isVisible() && widget->isEnabled(); }));
-  // What was laid out a moment ago may still move.
-  QApplication::processEvents();
-  clickAt(widget->mapToGlobal(widget->rect().center()));
+  clickAt(widget, [widget] { return widget->rect().center(); });
 }
 
 void pressKeys(const std::string& keys) {
   xdotool({"key", QString::fromStdString(keys)});
 }
+
+rviz::VisualizationFrame* RvizScenario::frame_ = nullptr;
 
 RvizScenario::RvizScenario() : spinner_(1, &queue_) {
   node_.setCallbackQueue(&queue_);
@@ -75,9 +86,8 @@ RvizScenario::~RvizScenario() {
   if (HasFailure()) {
     savePicture("failed");
     for (const auto& [robot, aligner] : aligners_)
-      std::cout << textOf(QString()).toStdString() << test::textOf(home_.path() + "/" + robot + "output");
+      std::cout << test::textOf(home_.path() + "/" + robot + "output");
   }
-  stopRviz();
   spinner_.stop();
 }
 
@@ -103,18 +113,18 @@ std::string RvizScenario::configFor(const std::vector<std::string>& aligners) co
 }
 
 void RvizScenario::startRviz(const std::string& config) {
-  frame_ = std::make_unique<rviz::VisualizationFrame>();
-  frame_->setApp(qApp);
-  frame_->setSplashPath(QString());
-  frame_->initialize(QString::fromStdString(config));
+  if (frame_) {
+    ASSERT_TRUE(frame_->loadDisplayConfigHelper(config, true));
+  } else {
+    frame_ = new rviz::VisualizationFrame;
+    frame_->setApp(qApp);
+    frame_->setSplashPath(QString());
+    frame_->initialize(QString::fromStdString(config));
+    frame_->show();
+  }
   frame_->setGeometry(0, 0, kWide, kHigh);
-  frame_->show();
   frame_->activateWindow();
   ASSERT_TRUE(comesTrue([this] { return panel() != nullptr && panel()->isVisible(); }));
-}
-
-void RvizScenario::stopRviz() {
-  frame_.reset();
 }
 
 void RvizScenario::startAligner(const std::string& robot) {
@@ -184,7 +194,7 @@ void RvizScenario::choose(const QString& text) {
   for (QAction* action : menu->actions()) {
     if (!action->text().contains(text)) continue;
     ASSERT_TRUE(action->isEnabled());
-    clickAt(menu->mapToGlobal(menu->actionGeometry(action).center()));
+    clickAt(menu, [&] { return menu->actionGeometry(action).center(); });
     ASSERT_TRUE(comesTrue([this] { return openMenu() == nullptr; }));
     return;
   }
@@ -207,8 +217,15 @@ void RvizScenario::clickCell(const QString& table, int row, int column, int butt
   ASSERT_TRUE(comesTrue([&] { return view->isVisible(); }));
   const QModelIndex index = view->model()->index(row, column);
   view->scrollTo(index);
-  QApplication::processEvents();
-  clickAt(view->viewport()->mapToGlobal(view->visualRect(index).center()), button);
+  clickAt(view->viewport(), [&] { return view->visualRect(index).center(); }, button);
+}
+
+void RvizScenario::openTab(int index) {
+  auto* tabs = part<QTabWidget>("tabs");
+  ASSERT_NE(tabs, nullptr);
+  const auto* bar = tabs->findChild<QTabBar*>();
+  clickAt(bar, [&] { return bar->tabRect(index).center(); });
+  ASSERT_TRUE(comesTrue([&] { return tabs->currentIndex() == index; }));
 }
 
 std::optional<AlignmentState> RvizScenario::state(const std::string& robot) {

@@ -27,12 +27,12 @@ class VisualizationFrame;
 
 namespace goal_alignment::test {
 
-/// Holds within a minute, while the windows live on. Everything takes far less.
-bool comesTrue(const std::function<bool()>& holds, double seconds = 60);
+/// Holds within half a minute, while the windows live on. Everything takes far less.
+bool comesTrue(const std::function<bool()>& holds, double seconds = 30);
 
-/// A pixel on the screen is clicked by the X server, as a mouse would.
-void clickAt(const QPoint& pixel, int button = 1);
-void clickOn(QWidget* widget);
+/// The X server clicks there, as a mouse would, once that place has come to rest on the screen.
+void clickAt(const QWidget* widget, const std::function<QPoint()>& place, int button = 1);
+void clickOn(const QWidget* widget);
 void pressKeys(const std::string& keys);  // as xdotool names them
 
 /// rviz itself on the display at hand, with panels of the plugin in its docks.
@@ -43,7 +43,6 @@ class RvizScenario : public testing::Test {
 
   /// Fails the test where the panel does not come.
   void startRviz(const std::string& config);
-  void stopRviz();
   /// The configuration that this package ships, with panels for these aligners.
   std::string configFor(const std::vector<std::string>& aligners) const;
 
@@ -62,6 +61,7 @@ class RvizScenario : public testing::Test {
   bool asks(const QString& text, int number = 0);
   QMenu* openMenu();
   void choose(const QString& action);
+  void openTab(int index);
   /// The row of a table whose PDDL tool tip has the text; -1: none.
   int rowWith(const QString& table, const QString& text, int number = 0);
   void clickCell(const QString& table, int row, int column, int button = 1, int number = 0);
@@ -79,7 +79,10 @@ class RvizScenario : public testing::Test {
   std::map<std::string, std::unique_ptr<Program>> aligners_;
   std::map<std::string, std::unique_ptr<Topic<AlignmentState>>> states_;
   std::map<std::string, ros::Publisher> goals_;
-  std::unique_ptr<rviz::VisualizationFrame> frame_;
+
+ private:
+  // Of all scenarios, since its graphics can't be started twice. Each loads its own panels.
+  static rviz::VisualizationFrame* frame_;
 };
 
 }  // namespace goal_alignment::test
