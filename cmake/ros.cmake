@@ -61,10 +61,6 @@ foreach(node IN LISTS goal_alignment_nodes)
   target_link_libraries(${node} PRIVATE goal_alignment_ros goal_alignment_execution fmt::fmt)
 endforeach()
 
-if(GOAL_ALIGNMENT_RVIZ)
-  include(cmake/rviz.cmake)
-endif()
-
 install(TARGETS goal_alignment_core
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})

@@ -27,8 +27,4 @@ foreach(scenario IN LISTS scenarios)
   add_rostest(${scenario} DEPENDENCIES goal_alignment_scenarios ${goal_alignment_nodes})
 endforeach()
 
-if(GOAL_ALIGNMENT_RVIZ)
-  include(cmake/rviz_tests.cmake)
-endif()
-
 roslaunch_add_file_check(launch USE_TEST_DEPENDENCIES DEPENDENCIES ${goal_alignment_nodes})

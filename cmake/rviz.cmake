@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The panel for rviz: a plugin, and its parts as a library of their own for the tests. Not a component of
 # the catkin package as a whole, since no node may come to link a graphics library.
+find_package(pluginlib REQUIRED)
 find_package(rviz REQUIRED)
 find_package(Qt5 REQUIRED COMPONENTS Widgets)
 
@@ -13,8 +14,6 @@ add_library(goal_alignment_rviz SHARED ${panel_plugin})
 foreach(target IN ITEMS goal_alignment_panel_parts goal_alignment_rviz)
   goal_alignment_ros_target(${target})
   set_target_properties(${target} PROPERTIES AUTOMOC ON)
-  # roscpp's headers use names that Qt's keywords would take.
-  target_compile_definitions(${target} PRIVATE QT_NO_FOREACH)
 endforeach()
 target_link_libraries(goal_alignment_panel_parts PUBLIC Qt5::Widgets ${catkin_LIBRARIES})
 target_include_directories(goal_alignment_rviz SYSTEM PRIVATE ${rviz_INCLUDE_DIRS})
@@ -22,3 +21,7 @@ target_link_libraries(goal_alignment_rviz PRIVATE goal_alignment_panel_parts ${r
 
 install(TARGETS goal_alignment_rviz LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(FILES plugin_description.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+
+if(CATKIN_ENABLE_TESTING AND GOAL_ALIGNMENT_TESTS)
+  include(cmake/rviz_tests.cmake)
+endif()

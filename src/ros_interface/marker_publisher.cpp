@@ -12,8 +12,8 @@
 namespace goal_alignment::ros_interface {
 namespace {
 
-constexpr double kPeriod = 0.5;        // seconds
-constexpr double kCoarseness = 0.02;   // metres: an arrow need not follow a trembling frame
+constexpr double kPeriod = 0.5;       // seconds
+constexpr double kCoarseness = 0.02;  // metres: an arrow need not follow a trembling frame
 
 double coarse(double metres) {
   return std::round(metres / kCoarseness) * kCoarseness;

@@ -21,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kLookPeriod = 200;             // milliseconds
 constexpr std::chrono::seconds kSilence{3};  // the status comes every 0.2 s
+constexpr int kReplayAfter = 1500;           // milliseconds: a status comes soon if it comes at all
 constexpr unsigned kMostCalls = 8;           // that hang; each holds a thread
 constexpr int kReplyPatience = 10000;        // milliseconds until a call is given up
 
@@ -33,7 +34,7 @@ ros::Time stampNow() {
 // What the threads of the link share with it.
 struct AlignerLink::Shared {
   std::atomic<Clock::rep> last_heartbeat{0};
-  std::atomic<unsigned> generation{0};  // of subscriptions
+  std::atomic<unsigned> generation{0};        // of subscriptions
   std::atomic<unsigned> heard_generation{0};  // whose heartbeat was the last
   std::atomic<unsigned> hanging{0};           // calls
   std::mutex mutex;
@@ -87,7 +88,7 @@ QString AlignerLink::connectTo(const QString& aligner) {
 }
 
 void AlignerLink::subscribe() {
-  has_message_ = false;
+  first_message_.invalidate();
   const unsigned generation = ++shared_->generation;
   emit cleared();
   worker_.add([shared = shared_, generation, aligner = aligner_, listener = listener()] {
@@ -100,12 +101,13 @@ void AlignerLink::subscribe() {
 template <typename Message>
 std::function<void(const boost::shared_ptr<const Message>&)> AlignerLink::forward(
     void (AlignerLink::*hear)(const boost::shared_ptr<const Message>&)) {
-  return [this, hear, mailbox = mailbox_, shared = shared_,
-          generation = shared_->generation.load()](const boost::shared_ptr<const Message>& message) {
-    mailbox->post([this, hear, message, shared, generation] {
-      if (generation == shared->generation) (this->*hear)(message);
-    });
-  };
+  return
+      [this, hear, mailbox = mailbox_, shared = shared_,
+       generation = shared_->generation.load()](const boost::shared_ptr<const Message>& message) {
+        mailbox->post([this, hear, message, shared, generation] {
+          if (generation == shared->generation) (this->*hear)(message);
+        });
+      };
 }
 
 Listener AlignerLink::listener() {
@@ -125,18 +127,22 @@ Listener AlignerLink::listener() {
   return listener;
 }
 
+void AlignerLink::noteMessage() {
+  if (!first_message_.isValid()) first_message_.start();
+}
+
 void AlignerLink::hear(const AlignmentState::ConstPtr& state) {
-  has_message_ = true;
+  noteMessage();
   emit stateHeard(state);
 }
 
 void AlignerLink::hear(const Question::ConstPtr& question) {
-  has_message_ = true;
+  noteMessage();
   emit questionHeard(question);
 }
 
 void AlignerLink::hear(const Plan::ConstPtr& plan) {
-  has_message_ = true;
+  noteMessage();
   emit planHeard(plan);
 }
 
@@ -242,18 +248,20 @@ bool AlignerLink::isHeard() const {
 
 void AlignerLink::look() {
   if (isHeard()) {
-    // Its latched messages may be those of an earlier run, and a lost connection brings no new ones.
+    // Its latched messages may be those of an earlier run, and a lost connection brings no new
+    // ones.
     if (std::exchange(was_there_, false)) subscribe();
     return setPresence(Presence::There);
   }
   if (presence_ == Presence::There) {
     // A silence that our own new subscriptions made says nothing about the aligner.
     was_there_ = shared_->heard_generation == shared_->generation;
-    has_message_ = false;
+    first_message_.invalidate();
     return setPresence(Presence::Absent);
   }
   const auto topics = shared_->current();
-  const bool replayed = has_message_ && topics && topics->hasPublisher();
+  const bool spoken = first_message_.isValid() && first_message_.hasExpired(kReplayAfter);
+  const bool replayed = spoken && topics && topics->hasPublisher();
   setPresence(replayed ? Presence::Replay : Presence::Absent);
 }
 

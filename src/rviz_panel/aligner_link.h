@@ -18,8 +18,8 @@ namespace goal_alignment::rviz_panel {
 /// waits for anything: what may hang (the master, a service) hangs in a thread that is abandoned.
 ///
 /// An aligner is There while its action server's status comes in, several times a second. When it
-/// comes back after it was gone, everything latched is asked for anew, so that nothing of an earlier
-/// run stays. Messages without a status are a Replay: there is nobody to answer to.
+/// comes back after it was gone, everything latched is asked for anew, so that nothing of an
+/// earlier run stays. Messages without a status are a Replay: there is nobody to answer to.
 class AlignerLink : public QObject {
   Q_OBJECT
 
@@ -77,6 +77,7 @@ class AlignerLink : public QObject {
   void look();
   void setPresence(Presence presence);
   bool isHeard() const;
+  void noteMessage();
 
   std::string aligner_;  // resolved; "": none
   MailboxPtr mailbox_;
@@ -84,8 +85,8 @@ class AlignerLink : public QObject {
   AbandonableWorker worker_;
   QTimer timer_;
   Presence presence_ = Presence::Absent;
-  bool was_there_ = false;  // and is gone
-  bool has_message_ = false;
+  bool was_there_ = false;       // and is gone
+  QElapsedTimer first_message_;  // since the aligner was last There
   std::string last_goal_;
 };
 

@@ -31,8 +31,7 @@ AlignerTopics::AlignerTopics(const std::string& aligner, Listener listener)
     : listener_(std::move(listener)), spinner_(1, &queue_) {
   node_.setCallbackQueue(&queue_);
   const std::string robot = ros::names::parentNamespace(aligner);
-  states_ =
-      listen<AlignmentState>(ros::names::append(aligner, kStateTopic), listener_.state);
+  states_ = listen<AlignmentState>(ros::names::append(aligner, kStateTopic), listener_.state);
   questions_ = listen<Question>(ros::names::append(aligner, kQuestionTopic), listener_.question);
   plans_ = listen<Plan>(ros::names::append(aligner, kPlanTopic), listener_.plan);
   results_ =

@@ -122,8 +122,8 @@ QWidget* AlignmentView::footer() {
   row->setContentsMargins(0, 0, 0, 0);
   aligner_ = new QLineEdit(QString::fromLatin1(kDefaultAligner), widget);
   aligner_->setObjectName(QStringLiteral("aligner"));
-  aligner_->setToolTip(
-      QStringLiteral("Name of the aligner's node, such as goal_alignment or /robot1/goal_alignment"));
+  aligner_->setToolTip(QStringLiteral(
+      "Name of the aligner's node, such as goal_alignment or /robot1/goal_alignment"));
   answered_by_ = new QLineEdit(QString::fromLatin1(kDefaultAnsweredBy), widget);
   answered_by_->setObjectName(QStringLiteral("answered_by"));
   answered_by_->setToolTip(QStringLiteral("Who answers: it is kept with every answer"));
@@ -240,9 +240,9 @@ void AlignmentView::endExecution(const ExecutePlanResult& result) {
   executing_ = false;
   const bool success = result.outcome == ExecutePlanResult::SUCCESS;
   plan_->steps().end(success, result.failed_step);
-  execution_end_ = success ? QStringLiteral("Carried out.")
-                           : QStringLiteral("Not carried out: %1")
-                                 .arg(QString::fromStdString(result.reason));
+  execution_end_ =
+      success ? QStringLiteral("Carried out.")
+              : QStringLiteral("Not carried out: %1").arg(QString::fromStdString(result.reason));
   showHeader();
   showPlanTab();
 }
@@ -285,7 +285,7 @@ void AlignmentView::showHeader() {
   status_->say(statusText());
   const bool busy = presence_ != Presence::Absent && isUnderWay(*state_);
   progress_->setValue(presence_ == Presence::Absent ? 0 : qRound(kFull * state_->progress));
-  const Tone tone = presence_ == Presence::Absent ? Tone::Muted
+  const Tone tone = presence_ == Presence::Absent   ? Tone::Muted
                     : presence_ == Presence::Replay ? Tone::Warning
                                                     : Tone::Good;
   QPalette colours = palette();

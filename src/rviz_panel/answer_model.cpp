@@ -42,9 +42,9 @@ void AnswerModel::show(const AlignmentState& state) {
   std::vector<Candidate> answered;
   std::copy_if(state.candidates.begin(), state.candidates.end(), std::back_inserter(answered),
                isAnswered);
-  std::stable_sort(
-      answered.begin(), answered.end(),
-      [](const Candidate& a, const Candidate& b) { return a.answered_at < b.answered_at; });
+  std::stable_sort(answered.begin(), answered.end(), [](const Candidate& a, const Candidate& b) {
+    return a.answered_at < b.answered_at;
+  });
   if (std::equal(answered_.begin(), answered_.end(), answered.begin(), answered.end(), isSame))
     return;
   beginResetModel();

@@ -24,7 +24,8 @@ int rankOf(std::uint8_t state) {
   constexpr std::uint8_t kOrder[] = {Candidate::ASKED,  Candidate::OPEN,       Candidate::UNSURE,
                                      Candidate::WANTED, Candidate::NOT_WANTED, Candidate::SPECIFIED,
                                      Candidate::SETTLED};
-  return static_cast<int>(std::find(std::begin(kOrder), std::end(kOrder), state) - std::begin(kOrder));
+  return static_cast<int>(std::find(std::begin(kOrder), std::end(kOrder), state) -
+                          std::begin(kOrder));
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 namespace goal_alignment::rviz_panel {
 
-/// Takes work from other threads to the thread of a QObject, for as long as that lives: threads that
-/// hang in a call may outlive the panel.
+/// Takes work from other threads to the thread of a QObject, for as long as that lives: threads
+/// that hang in a call may outlive the panel.
 class Mailbox {
  public:
   explicit Mailbox(QObject* owner) : owner_(owner) {}

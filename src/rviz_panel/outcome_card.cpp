@@ -9,8 +9,8 @@
 namespace goal_alignment::rviz_panel {
 namespace {
 
-constexpr int kMargin = 10;         // pixels
-constexpr int kMostButtons = 170;   // pixels: more alternatives scroll
+constexpr int kMargin = 10;        // pixels
+constexpr int kMostButtons = 170;  // pixels: more alternatives scroll
 constexpr double kLarge = 1.15;
 
 bool isProven(const AlignmentState& state) {
@@ -56,13 +56,15 @@ void OutcomeCard::show(const AlignmentState& state) {
   setVisible(endedWithoutPlan(state));
   if (isHidden() || looksSame(state, shown_)) return;
   shown_ = state;
-  setTone(isProven(state) ? Tone::Bad
-                          : state.outcome == AlignResult::CANCELED ? Tone::Muted : Tone::Warning);
+  setTone(isProven(state)                          ? Tone::Bad
+          : state.outcome == AlignResult::CANCELED ? Tone::Muted
+                                                   : Tone::Warning);
   const QString headline = phaseLine(state);
   headline_->say(headline);
   const QString message = sentence(QString::fromStdString(state.message));
   // Where there is a conflict, the message says the same in one long sentence.
-  const bool says_more = state.conflict.empty() && message.compare(headline, Qt::CaseInsensitive) != 0;
+  const bool says_more =
+      state.conflict.empty() && message.compare(headline, Qt::CaseInsensitive) != 0;
   message_->say(says_more ? message : QString());
   setToolTip(message);
   conflict_->say(conflictText(state.conflict));
@@ -77,15 +79,17 @@ void OutcomeCard::showAlternatives(const AlignmentState& state) {
   layout->setContentsMargins(0, 0, 0, 0);
   int number = 0;
   for (const AlternativeGoal& alternative : state.alternatives) {
-    auto* button = new WrappedButton(
-        sentence(phrasesOf(alternative.given_up).join(QStringLiteral("; "))),
-        QStringLiteral("how likely you can do without it: %1").arg(percent(alternative.probability)),
-        buttons);
+    auto* button =
+        new WrappedButton(sentence(phrasesOf(alternative.given_up).join(QStringLiteral("; "))),
+                          QStringLiteral("how likely you can do without it: %1")
+                              .arg(percent(alternative.probability)),
+                          buttons);
     button->setObjectName(QStringLiteral("alternative_%1").arg(number++));
     layout->addWidget(button);
     connect(button, &QPushButton::clicked, this,
-            [this, id = QString::fromStdString(state.session_id),
-             given_up = alternative.given_up] { emit takenUp(id, given_up); });
+            [this, id = QString::fromStdString(state.session_id), given_up = alternative.given_up] {
+              emit takenUp(id, given_up);
+            });
   }
   scroll_->hold(buttons);
 }

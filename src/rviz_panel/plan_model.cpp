@@ -95,8 +95,9 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const {
       return QString::number(index.row() + 1);
     }
     case Qt::ToolTipRole:
-      return QStringLiteral("step %1: %2").arg(index.row() + 1).arg(
-          pddlOf(plan_->steps[static_cast<std::size_t>(index.row())]));
+      return QStringLiteral("step %1: %2")
+          .arg(index.row() + 1)
+          .arg(pddlOf(plan_->steps[static_cast<std::size_t>(index.row())]));
     case Qt::TextAlignmentRole:
       return index.column() == Mark ? QVariant(Qt::AlignCenter) : QVariant();
     case ProgressRole:

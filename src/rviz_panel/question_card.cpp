@@ -11,8 +11,8 @@
 namespace goal_alignment::rviz_panel {
 namespace {
 
-constexpr int kMargin = 10;       // pixels
-constexpr int kMostTicks = 180;   // pixels: a long group scrolls
+constexpr int kMargin = 10;      // pixels
+constexpr int kMostTicks = 180;  // pixels: a long group scrolls
 constexpr double kLarge = 1.15;
 
 QString countLine(const Question& question) {
@@ -70,7 +70,8 @@ QPushButton* QuestionCard::addButton(const QString& text, const QString& name, c
   button->setMinimumWidth(1);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   buttons_->layout()->addWidget(button);
-  auto* shortcut = new QShortcut(QKeySequence(key), parentWidget() != nullptr ? parentWidget() : this);
+  auto* shortcut =
+      new QShortcut(QKeySequence(key), parentWidget() != nullptr ? parentWidget() : this);
   shortcut->setContext(Qt::WidgetWithChildrenShortcut);
   connect(shortcut, &QShortcut::activated, button, [button] {
     if (button->isVisible()) button->click();

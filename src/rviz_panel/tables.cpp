@@ -19,8 +19,8 @@ constexpr int kColumnPadding = 16;  // pixels
 
 struct Choice {
   int answer;
-  const char* asked;   // of what nobody has answered yet
-  const char* revised; // of what has an answer
+  const char* asked;    // of what nobody has answered yet
+  const char* revised;  // of what has an answer
 };
 
 constexpr Choice kChoices[] = {
@@ -77,7 +77,7 @@ RowTable::RowTable(const QString& placeholder, QWidget* parent)
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollMode(ScrollPerPixel);
   setFrameShape(QFrame::NoFrame);
-  setMinimumSize(1, 3 * (fontMetrics().height() + kRowPadding));
+  setMinimumSize(1, 2 * (fontMetrics().height() + kRowPadding));
   verticalHeader()->hide();
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRowPadding);
@@ -111,9 +111,9 @@ CandidateTable::CandidateTable(QWidget* parent)
   header->resizeSection(CandidateModel::Belief, widthOf(*this, QStringLiteral("Belief  ▾")));
   QFont bold = font();
   bold.setBold(true);
-  header->resizeSection(CandidateModel::State,
-                        QFontMetrics(bold).horizontalAdvance(QStringLiteral("not wanted")) +
-                            kColumnPadding);
+  header->resizeSection(
+      CandidateModel::State,
+      QFontMetrics(bold).horizontalAdvance(QStringLiteral("not wanted")) + kColumnPadding);
 }
 
 void CandidateTable::contextMenuEvent(QContextMenuEvent* event) {
@@ -152,8 +152,7 @@ void CandidateTable::addAnswers(QMenu& menu, const QStringList& fluents, bool an
   }
 }
 
-AnswerTable::AnswerTable(QWidget* parent)
-    : RowTable(QStringLiteral("No answers yet"), parent) {
+AnswerTable::AnswerTable(QWidget* parent) : RowTable(QStringLiteral("No answers yet"), parent) {
   setObjectName(QStringLiteral("answers"));
   setModel(&answers_);
   setItemDelegateForColumn(AnswerModel::Answer, new ToneDelegate(&answerTone, true, this));

@@ -71,8 +71,9 @@ TEST_F(PanelInRviz, aClickOnYesAnswersTheQuestion) {
   ASSERT_NO_FATAL_FAILURE(clickOn(part("yes")));
   EXPECT_TRUE(becomes("(quiet hall)", Candidate::WANTED));
   const auto now = state();
-  const auto quiet = std::find_if(now->candidates.begin(), now->candidates.end(),
-                                  [](const Candidate& each) { return each.fluent.name == "quiet"; });
+  const auto quiet =
+      std::find_if(now->candidates.begin(), now->candidates.end(),
+                   [](const Candidate& each) { return each.fluent.name == "quiet"; });
   ASSERT_NE(quiet, now->candidates.end());
   EXPECT_EQ(quiet->answered_by, "panel");
   EXPECT_TRUE(isDone(AlignResult::EXPECTATION_UNACHIEVABLE));

@@ -19,7 +19,8 @@ namespace {
 
 constexpr int kHigh = 840;   // pixels
 constexpr int kWide = 1240;  // pixels
-constexpr int kRests = 20;   // looks at a place that has not moved, 5 ms or more from one to the next
+constexpr int kRests =
+    20;  // looks at a place that has not moved, 5 ms or more from one to the next
 constexpr const char* kPanelClass = "goal_alignment/AlignmentPanel";
 
 std::string alignerOf(const std::string& robot) {
@@ -130,10 +131,10 @@ void RvizScenario::startRviz(const std::string& config) {
 void RvizScenario::startAligner(const std::string& robot) {
   std::vector<std::string> arguments = {"_journal_expiry:=0"};
   if (!robot.empty()) arguments.push_back("__ns:=/" + robot);
-  aligners_[robot] = std::make_unique<Program>(
-      NODE_FOLDER "/goal_alignment_node", arguments,
-      std::map<std::string, std::string>{{"ROS_HOME", home_.path()}},
-      home_.path() + "/" + robot + "output");
+  aligners_[robot] =
+      std::make_unique<Program>(NODE_FOLDER "/goal_alignment_node", arguments,
+                                std::map<std::string, std::string>{{"ROS_HOME", home_.path()}},
+                                home_.path() + "/" + robot + "output");
   const std::string name = alignerOf(robot);
   if (states_.count(robot) == 0) {
     states_[robot] = std::make_unique<Topic<AlignmentState>>(node_, name + "/state");
@@ -217,7 +218,8 @@ void RvizScenario::clickCell(const QString& table, int row, int column, int butt
   ASSERT_TRUE(comesTrue([&] { return view->isVisible(); }));
   const QModelIndex index = view->model()->index(row, column);
   view->scrollTo(index);
-  clickAt(view->viewport(), [&] { return view->visualRect(index).center(); }, button);
+  clickAt(
+      view->viewport(), [&] { return view->visualRect(index).center(); }, button);
 }
 
 void RvizScenario::openTab(int index) {

@@ -28,8 +28,8 @@ Whereabouts kitchen() {
     if (object == "cup") return "cup_link";
     return object == "table" || object == "sink" ? object : "";
   };
-  whereabouts.origin = [](const std::string& frame, const std::string& seen_from)
-      -> std::optional<geometry_msgs::Point> {
+  whereabouts.origin = [](const std::string& frame,
+                          const std::string& seen_from) -> std::optional<geometry_msgs::Point> {
     if (frame == "cup_link" || seen_from == "cup_link") return std::nullopt;
     geometry_msgs::Point point;
     point.x = frame == "sink" ? 1 : -1;
@@ -52,9 +52,9 @@ std::vector<Marker> texts(const MarkerArray& array) {
 
 std::vector<Marker> arrows(const MarkerArray& array, const std::string& ns) {
   std::vector<Marker> all = ofType(array, Marker::ARROW);
-  all.erase(std::remove_if(all.begin(), all.end(),
-                           [&](const Marker& marker) { return marker.ns != ns; }),
-            all.end());
+  all.erase(
+      std::remove_if(all.begin(), all.end(), [&](const Marker& marker) { return marker.ns != ns; }),
+      all.end());
   return all;
 }
 
@@ -111,9 +111,8 @@ TEST(Markers, linesAtAFrameAreStackedWithWhatMattersOnTop) {
                       candidate("c", {"table"}, Candidate::WANTED)};
   auto shown = texts(markersOf(state, Plan{}, kitchen()));
   ASSERT_EQ(shown.size(), 3U);
-  std::sort(shown.begin(), shown.end(), [](const Marker& x, const Marker& y) {
-    return x.pose.position.z > y.pose.position.z;
-  });
+  std::sort(shown.begin(), shown.end(),
+            [](const Marker& x, const Marker& y) { return x.pose.position.z > y.pose.position.z; });
   EXPECT_EQ(shown[0].text, "b table");
   EXPECT_EQ(shown[1].text, "c table");
   EXPECT_EQ(shown[2].text, "a table");

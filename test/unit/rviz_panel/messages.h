@@ -52,7 +52,8 @@ inline Question::Ptr questionAbout(std::uint32_t id, const std::vector<Fluent>& 
   question->question_id = id;
   question->fluents = fluents;
   question->text = "Does it matter to you that the tea is served in the china cup?";
-  question->why = "I can't have both: that the china cup is used, and that the high shelf is left alone.";
+  question->why =
+      "I can't have both: that the china cup is used, and that the high shelf is left alone.";
   question->asked = 1;
   question->max_remaining = 3;
   return question;

@@ -43,9 +43,7 @@ class View : public testing::Test {
   QString textOf(const QString& name) { return find<QLabel>(name)->text(); }
   bool isShown(const QString& name) { return find<QWidget>(name)->isVisible(); }
 
-  void click(const QString& name) {
-    QTest::mouseClick(find<QWidget>(name), Qt::LeftButton);
-  }
+  void click(const QString& name) { QTest::mouseClick(find<QWidget>(name), Qt::LeftButton); }
 
   void show(const AlignmentState::ConstPtr& state) {
     view_.showState(state);
@@ -58,8 +56,15 @@ class View : public testing::Test {
     QApplication::processEvents();
   }
 
+  // Into the folder that PANEL_PICTURES names, if any.
+  void savePicture(const char* name) {
+    const QString folder = qEnvironmentVariable("PANEL_PICTURES");
+    if (!folder.isEmpty()) view_.grab().save(folder + "/" + name + ".png");
+  }
+
   // Every visible widget with a text lies inside of the view, and its text inside of it.
-  void expectAllFits() {
+  void expectAllFits(const char* picture) {
+    savePicture(picture);
     for (QWidget* widget : view_.findChildren<QWidget*>()) {
       if (!widget->isVisible() || qobject_cast<QAbstractItemView*>(widget) != nullptr) continue;
       const QRect place(widget->mapTo(&view_, QPoint(0, 0)), widget->size());
@@ -273,12 +278,12 @@ TEST_F(View, fitsWhenItIsNarrow) {
                         fluent("b", {}, "the tea is made with the good leaves of the high shelf"),
                         fluent("averyveryveryverylongnamewithoutanyplacetobreakitintotwo", {})}));
   EXPECT_EQ(view_.width(), kNarrow);
-  expectAllFits();
+  expectAllFits("narrow_question");
   ask(boost::make_shared<Question>());
   show(withoutPlan());
   QApplication::processEvents();
   EXPECT_EQ(view_.width(), kNarrow);
-  expectAllFits();
+  expectAllFits("narrow_no_plan");
 }
 
 TEST_F(View, namesAreNoMarkup) {
