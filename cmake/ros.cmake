@@ -9,8 +9,8 @@ endif()
 file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
 
 find_package(catkin REQUIRED COMPONENTS
-  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs message_generation roscpp roslib
-  std_msgs std_srvs tf2 tf2_ros topic_tools)
+  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs message_generation roscpp
+  roslib std_msgs std_srvs tf2 tf2_ros topic_tools visualization_msgs)
 
 add_message_files(DIRECTORY msg FILES
   ActionDispatch.msg ActionFeedback.msg AlignmentState.msg AlternativeGoal.msg Candidate.msg
@@ -23,8 +23,8 @@ generate_messages(DEPENDENCIES actionlib_msgs diagnostic_msgs std_msgs)
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES goal_alignment_core
-  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs message_runtime
-    roscpp roslib std_msgs std_srvs tf2 tf2_ros topic_tools
+  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs
+    message_runtime roscpp roslib std_msgs std_srvs tf2 tf2_ros topic_tools visualization_msgs
   DEPENDS Boost)
 
 # The core was declared before catkin said where libraries go.

@@ -91,6 +91,12 @@ testsOf() {
   fi
 }
 
+# rvizWanted: ON where the panel for rviz was built before, or can be, so that demo and hagl leave that
+# as it is.
+rvizWanted() {
+  if [ -z "$(missingPackages rviz)" ]; then printf ON; else printf OFF; fi
+}
+
 # compile TREE [TARGET]…
 compile() {
   local tree=$1

@@ -51,8 +51,7 @@ class VocabularyReader : private TemplateReader {
       readSection(name, section.first, section.second);
     }
     for (const char* needed : {"yes", "no", "say"})
-      if (seen.count(needed) == 0)
-        fail(root.Mark(), std::string("'") + needed + "'", "none");
+      if (seen.count(needed) == 0) fail(root.Mark(), std::string("'") + needed + "'", "none");
   }
 
   void readSection(const std::string& name, const YAML::Node& key, const YAML::Node& value) {
@@ -70,10 +69,10 @@ class VocabularyReader : private TemplateReader {
       readSayings(value);
     } else if (name != "ignored") {
       fail(key.Mark(),
-                     "one of yes, no, dont_know, decline, repeat, why, all, none, and, but, "
-                     "stand_in, ignored, "
-                     "numbers, say",
-                     inQuotes(name));
+           "one of yes, no, dont_know, decline, repeat, why, all, none, and, but, "
+           "stand_in, ignored, "
+           "numbers, say",
+           inQuotes(name));
     }
   }
 
@@ -105,7 +104,7 @@ class VocabularyReader : private TemplateReader {
     const auto added = vocabulary_.meanings_.emplace(words, meaning).first;
     if (added->second != meaning)
       fail(entry.Mark(), "a text of one meaning",
-                     inQuotes(entry.Scalar()) + ", which has another above");
+           inQuotes(entry.Scalar()) + ", which has another above");
   }
 
   void readSingles(const YAML::Node& list, std::set<std::string>& into) {
@@ -119,8 +118,7 @@ class VocabularyReader : private TemplateReader {
     for (const auto& entry : numbers) {
       std::size_t number = 0;
       if (!YAML::convert<std::size_t>::decode(entry.first, number) || number < 1 || number > 255)
-        fail(entry.first.Mark(), "a number from 1 to 255",
-                       describe(entry.first));
+        fail(entry.first.Mark(), "a number from 1 to 255", describe(entry.first));
       expectList(entry.second, "a list of words");
       for (const YAML::Node& node : entry.second) {
         const std::string word = singleWord(node);
@@ -157,8 +155,7 @@ class VocabularyReader : private TemplateReader {
     const auto filled = vocabulary_.numbered_.fill({"<1>", "<2>"});
     if (!filled || filled->find("<1>") == std::string::npos ||
         filled->find("<2>") == std::string::npos)
-      fail(node.Mark(), "a text with {0} and {1} and no other gap",
-                     inQuotes(node.Scalar()));
+      fail(node.Mark(), "a text with {0} and {1} and no other gap", inQuotes(node.Scalar()));
   }
 
   static std::string listed(const std::map<std::string, std::string*>& names) {

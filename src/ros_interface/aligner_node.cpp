@@ -52,6 +52,9 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
       journal_(stateFolder() + "/journal",
                [](const std::string& line) { ROS_WARN("%s", line.c_str()); }),
       diagnostics_(node, private_node, announcer_, journal_),
+      frame_listener_(frames_, node),
+      markers_(private_node, announcer_, frames_),
+      tf_(frames_),
       explainer_([this] { nudgeSolver(); }),
       bridge_(questionIds()),
       ask_human_(

@@ -261,7 +261,9 @@ void AlignmentRunner::putQuestion(GoalTicket& ticket, const session::Snapshot& n
 // What of a group was answered is shown no longer. It stays the same question, with the same id.
 void AlignmentRunner::narrowQuestion(GoalTicket& ticket, const session::Snapshot& now) {
   const session::QuestionView rest = stillAsked(open_view_, now);
-  if (rest.fluents.empty() || rest.fluents.size() == open_.fluents.size()) return;
+  if (rest.fluents.empty() || rest.fluents.size() == open_.fluents.size()) {
+    return report(ticket, now, open_.text);  // what was volunteered has to be seen, too
+  }
   const Question shown = toMessage(rest, kept_.phrases);
   open_.fluents = shown.fluents;
   open_.text = shown.text;

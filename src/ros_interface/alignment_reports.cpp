@@ -74,6 +74,8 @@ AlignmentState AlignmentRunner::stateMessage(const session::Snapshot& now,
                                              const std::string& message) const {
   AlignmentState state = toMessage(now, kept_.phrases, kept_.times);
   state.session_id = kept_.id;
+  state.task_id = kept_.task_id;
+  state.person = kept_.person;
   state.message = message;
   state.human_plan_break = kept_.told_break;
   return state;

@@ -291,6 +291,8 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
   AlignmentState state = stateMessage(last, result.message);
   state.phase = AlignmentState::DONE;
   state.outcome = result.outcome;
+  state.conflict = result.conflict;
+  state.alternatives = result.alternatives;
   announcer_.publish(state);
   announcer_.tell(fmt::format("outcome {} ({}): {}", result.outcome,
                               session::outcomeWord(outcome.code), result.message));
@@ -311,6 +313,8 @@ void AlignmentRunner::refuse(GoalTicket& ticket, const session::Outcome& outcome
     AlignmentState state;
     state.phase = AlignmentState::DONE;
     state.session_id = result.session_id;
+    state.task_id = ticket.goal().task.task_id;
+    state.person = ticket.goal().task.person;
     state.outcome = result.outcome;
     state.message = result.message;
     announcer_.publish(state);

@@ -35,7 +35,9 @@ void Announcer::publish(AlignmentState state) {
 
 void Announcer::publish(Plan plan) {
   plan.header.stamp = stampNow();
-  plans_.publish(plan);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  plan_ = std::move(plan);
+  plans_.publish(plan_);
 }
 
 Question Announcer::publish(Question question) {
@@ -62,6 +64,11 @@ void Announcer::tell(const std::string& line) {
 Question Announcer::question() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return question_;
+}
+
+Plan Announcer::plan() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return plan_;
 }
 
 AlignmentState Announcer::state() const {

@@ -217,6 +217,7 @@ Plan toMessage(const session::Session& session, std::int32_t plan_id,
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const GroundName& step = plan.steps[i];
     message.steps.push_back(toDispatch(step, session.parameterNames(step.name), plan_id, i));
+    message.step_texts.push_back(phrases.action(step));
   }
   message.guaranteed = toMessage(plan.guaranteed, phrases);
   message.kept_unasked = toMessage(plan.kept_unasked, phrases);

@@ -119,6 +119,8 @@ NodeOptions NodeOptions::read(const XmlRpc::XmlRpcValue& values, const std::stri
   reader.read("tf_patience", options.tf_patience, 0, 3600);
   reader.read("tf_period", options.tf_period, 0.01, 60);
   reader.read("diagnostic_period", options.diagnostic_period, 0.01, 3600);
+  reader.read("markers", options.markers);
+  reader.read("marker_frames", options.marker_frames);
   options.unknown = reader.unknown();
   return options;
 }

@@ -95,6 +95,20 @@ void ParameterReader::readTexts(const std::string& key, std::vector<std::string>
   }
 }
 
+void ParameterReader::read(const std::string& key, std::map<std::string, std::string>& texts) {
+  XmlRpcValue* found = find(key);
+  if (found == nullptr) return;
+  const std::string expected = "texts by names";
+  if (found->getType() != XmlRpcValue::TypeStruct) refuse(key, expected);
+  texts.clear();
+  for (auto& [name, text] : *found) {
+    const bool is_text = text.getType() == XmlRpcValue::TypeString;
+    if (!isName(name) || !is_text || static_cast<std::string&>(text).empty())
+      refuse(key, fmt::format("{}, not what stands at {}", expected, inQuotes(name)));
+    texts[toLower(name)] = static_cast<std::string&>(text);
+  }
+}
+
 std::size_t ParameterReader::readChoice(const std::string& key,
                                         const std::vector<std::string>& words, std::size_t value) {
   XmlRpcValue* found = find(key);

@@ -2,8 +2,7 @@
 #include "goal_alignment/ros_interface/tf_state_bridge.h"
 
 #include <ros/time.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2/exceptions.h>
 
 #include <string>
 #include <utility>
@@ -35,24 +34,16 @@ Sighting sight(const tf2_ros::Buffer& buffer, const FramePair& frames, const ros
 
 }  // namespace
 
-struct TfStateBridge::Listening {
-  tf2_ros::Buffer buffer;
-  tf2_ros::TransformListener listener{buffer};  // with a thread of its own
-};
-
-TfStateBridge::TfStateBridge() = default;
-TfStateBridge::~TfStateBridge() = default;
+TfStateBridge::TfStateBridge(const tf2_ros::Buffer& frames) : frames_(frames) {}
 
 void TfStateBridge::follow(std::shared_ptr<const whereabouts::Rules> rules) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!rules) {
     observer_.reset();
-    listening_.reset();
     return;
   }
   if (observer_ && observer_->rules()->text() == rules->text()) return;
   observer_.emplace(std::move(rules));
-  if (!listening_) listening_ = std::make_unique<Listening>();
 }
 
 std::shared_ptr<const whereabouts::Rules> TfStateBridge::rules() const {
@@ -66,7 +57,7 @@ whereabouts::Observation TfStateBridge::look() {
   const ros::Time now = ros::Time::now();
   std::vector<Sighting> sightings;
   for (const FramePair& frames : observer_->rules()->pairs())
-    sightings.push_back(sight(listening_->buffer, frames, now));
+    sightings.push_back(sight(frames_, frames, now));
   return observer_->observe(sightings);
 }
 

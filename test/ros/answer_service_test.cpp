@@ -134,6 +134,14 @@ TEST_F(AnswerService, aVolunteeredAnswerIsNotAskedFor) {
   const Question first = sendAndAwaitQuestion(sweepBothRooms());
   const std::string other = first.fluents[0].args[0] == "hall" ? "kitchen" : "hall";
   EXPECT_TRUE(answer(Answer::Request::NO, 0, {"(QUIET " + other + ")"}).accepted);
+  EXPECT_TRUE(states_.waitFor([&](const AlignmentState& state) {
+    return state.phase == AlignmentState::AWAITING_ANSWER &&
+           std::any_of(state.candidates.begin(), state.candidates.end(),
+                       [&](const Candidate& candidate) {
+                         return candidate.fluent.args.at(0) == other &&
+                                candidate.state == Candidate::NOT_WANTED;
+                       });
+  })) << "nobody sees it";
   EXPECT_TRUE(answer(Answer::Request::NO, first.question_id).accepted)
       << "the open question stayed open";
   const AlignResult result = awaitResult();

@@ -7,6 +7,8 @@
 #include <ros/spinner.h>
 #include <ros/subscriber.h>
 #include <std_srvs/Trigger.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
 
 #include <memory>
 
@@ -24,6 +26,7 @@
 #include "goal_alignment/ros_interface/diagnostics.h"
 #include "goal_alignment/ros_interface/explainer.h"
 #include "goal_alignment/ros_interface/journal.h"
+#include "goal_alignment/ros_interface/marker_publisher.h"
 #include "goal_alignment/ros_interface/question_bridge.h"
 #include "goal_alignment/ros_interface/robot_facts.h"
 #include "goal_alignment/ros_interface/tf_state_bridge.h"
@@ -63,6 +66,9 @@ class AlignerNode {
   Announcer announcer_;
   Journal journal_;
   Diagnostics diagnostics_;
+  tf2_ros::Buffer frames_;
+  tf2_ros::TransformListener frame_listener_;
+  MarkerPublisher markers_;
   RobotFacts facts_;
   TfStateBridge tf_;
   Explainer explainer_;

@@ -30,11 +30,13 @@ class Announcer {
   // As last published.
   AlignmentState state() const;
   Question question() const;
+  Plan plan() const;
 
  private:
-  mutable std::mutex mutex_;  // guards the two below
+  mutable std::mutex mutex_;  // guards the three below
   AlignmentState state_;
   Question question_;
+  Plan plan_;
   ros::Publisher states_;
   ros::Publisher plans_;
   ros::Publisher questions_;

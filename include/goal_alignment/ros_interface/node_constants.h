@@ -24,6 +24,7 @@ constexpr const char* kQuestionTopic = "question";
 constexpr const char* kStateTopic = "state";
 constexpr const char* kPlanTopic = "plan";
 constexpr const char* kEventsTopic = "events";
+constexpr const char* kMarkersTopic = "markers";
 constexpr const char* kAnswerService = "answer";
 constexpr const char* kReviseAnswerService = "revise_answer";
 constexpr const char* kGetStateService = "get_state";

@@ -4,6 +4,7 @@
 #include <XmlRpcValue.h>
 #include <ros/node_handle.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,10 @@ struct NodeOptions {
   double tf_period = 0.2;  ///< seconds of wall time, 0.01 … 60: how often tf is looked at meanwhile
 
   double diagnostic_period = 1;  ///< seconds of wall time, 0.01 … 3600; read at the start alone
+
+  bool markers = true;  ///< whether anything is shown on ~markers
+  /// The tf frames of objects, for markers; that of another object has its name.
+  std::map<std::string, std::string> marker_frames;
 
   std::vector<std::string> unknown;  ///< private parameters that nobody reads
 

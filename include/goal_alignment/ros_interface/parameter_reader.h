@@ -4,6 +4,7 @@
 #include <XmlRpcValue.h>
 
 #include <cstddef>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -32,6 +33,8 @@ class ParameterReader {
   void read(const std::string& key, std::vector<std::string>& names);
   /// A list of any texts.
   void readTexts(const std::string& key, std::vector<std::string>& texts);
+  /// A struct with a text for each PDDL name; the names come out in lower case.
+  void read(const std::string& key, std::map<std::string, std::string>& texts);
   /// Index of the word found among `words`; `value` where the key is not there.
   std::size_t readChoice(const std::string& key, const std::vector<std::string>& words,
                          std::size_t value);

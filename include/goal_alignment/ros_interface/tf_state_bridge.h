@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <tf2_ros/buffer.h>
+
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -10,12 +12,11 @@
 
 namespace goal_alignment::ros_interface {
 
-/// Looks at tf for the rules that make facts of it. Listens only while there are rules.
-/// Thread-safe; nothing waits for a transform.
+/// Looks at tf for the rules that make facts of it. Thread-safe; nothing waits for a transform.
 class TfStateBridge {
  public:
-  TfStateBridge();
-  ~TfStateBridge();
+  /// `frames` hears tf and outlives this.
+  explicit TfStateBridge(const tf2_ros::Buffer& frames);
 
   /// From now on these rules count; null: none. What was seen under rules of the same text is
   /// remembered.
@@ -28,10 +29,8 @@ class TfStateBridge {
   whereabouts::Observation look();
 
  private:
-  struct Listening;
-
+  const tf2_ros::Buffer& frames_;
   mutable std::mutex mutex_;  // guards all below
-  std::unique_ptr<Listening> listening_;
   std::optional<whereabouts::Observer> observer_;
 };
 

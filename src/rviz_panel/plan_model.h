@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QAbstractTableModel>
+#include <boost/make_shared.hpp>
+
+#include "goal_alignment/ExecutePlanFeedback.h"
+#include "goal_alignment/Plan.h"
+
+namespace goal_alignment::rviz_panel {
+
+/// The steps of a plan, and how far its execution has come.
+class PlanModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { Mark, Text, Columns };
+  enum Role { ProgressRole = Qt::UserRole };
+  enum class Progress { Ahead, Running, Done, Failed };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  void show(const Plan::ConstPtr& plan);
+  void clear();
+  /// Execution begins at the first step.
+  void begin();
+  void hear(const ExecutePlanFeedback& feedback);
+  /// The execution ended; `failed_step` -1: none did, or it never began.
+  void end(bool success, int failed_step);
+
+  const Plan& plan() const { return *plan_; }
+  /// Index of the step in execution, -1: none.
+  int runningStep() const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  Progress progressOf(int row) const;
+  void move(int step, Progress progress);
+  QString textOf(int row) const;
+
+  Plan::ConstPtr plan_ = boost::make_shared<Plan>();
+  int step_ = -1;  // all before it are done
+  Progress of_step_ = Progress::Ahead;
+};
+
+}  // namespace goal_alignment::rviz_panel

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QPushButton>
+#include <QStringList>
+#include <vector>
+
+#include "goal_alignment/Question.h"
+#include "text_widgets.h"
+
+namespace goal_alignment::rviz_panel {
+
+/// The open question with its reason and what may be answered. A question about several fluents has
+/// a tick box for each: those ticked matter, the rest don't.
+class QuestionCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit QuestionCard(QWidget* parent = nullptr);
+
+  /// question_id 0: none is open, and the card hides.
+  void show(const Question& question);
+  std::uint32_t questionId() const { return id_; }
+
+  /// An answer is on its way: no second one until the question changes or it was refused.
+  void setWaiting(bool waiting);
+  /// False: there is nobody to answer to.
+  void setAnswerable(bool answerable);
+
+ signals:
+  /// `answer` of Answer.srv; `fluents` as PDDL, empty: all of the question.
+  void answered(int answer, quint32 question_id, const QStringList& fluents);
+
+ private:
+  QPushButton* addButton(const QString& text, const QString& name, const QString& key);
+  void showTicks(const Question& question);
+  QStringList ticked() const;
+  void labelButtons();
+  void answerYes();
+  void send(int answer, const QStringList& fluents = {});
+
+  std::uint32_t id_ = 0;
+  bool waiting_ = false;
+  bool answerable_ = true;
+  WrappedLabel* count_;
+  WrappedLabel* text_;
+  WrappedLabel* why_;
+  ShortScroll* scroll_;
+  QWidget* buttons_;
+  QPushButton* yes_;
+  QPushButton* no_;
+  QPushButton* unsure_;
+  std::vector<TickBox*> boxes_;
+  QStringList fluents_;
+};
+
+}  // namespace goal_alignment::rviz_panel
