@@ -49,11 +49,13 @@ const YAML::Node& required(const YamlReader& reader, const Fields& fields, const
 
 Vector sizeOf(const YamlReader& reader, const YAML::Node& node) {
   const std::string what = "size: two or three numbers (two: of any height)";
-  const std::vector<double> size = numbers(reader, node, what, kSmallest, kLargest);
-  if (size.size() != 2 && size.size() != 3) {
-    reader.fail(node.Mark(), what, fmt::format("{} of them", size.size()));
+  const std::vector<double> given = numbers(reader, node, what, kSmallest, kLargest);
+  if (given.size() != 2 && given.size() != 3) {
+    reader.fail(node.Mark(), what, fmt::format("{} of them", given.size()));
   }
-  return {size[0], size[1], size.size() == 3 ? size[2] : kAnyHeight};
+  Vector size{given[0], given[1], kAnyHeight};
+  if (given.size() == 3) size.z = given[2];
+  return size;
 }
 
 Pose poseOf(const YamlReader& reader, const Fields& fields) {
