@@ -5,8 +5,6 @@
 #include <ros/package.h>
 
 #include <algorithm>
-#include <array>
-#include <boost/uuid/detail/md5.hpp>
 #include <cctype>
 #include <cstdlib>
 #include <fstream>
@@ -15,24 +13,13 @@
 
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/common/quote.h"
+#include "md5.h"
 
 namespace goal_alignment::execution {
 namespace {
 
 constexpr std::size_t kDeepest = 50;            // messages within messages
 constexpr std::size_t kLineOfDefinitions = 80;  // signs between the definitions of a text
-
-std::string md5Of(const std::string& text) {
-  boost::uuids::detail::md5 hash;
-  hash.process_bytes(text.data(), text.size());
-  boost::uuids::detail::md5::digest_type digest;
-  hash.get_digest(digest);
-  std::string hex;
-  const auto* bytes = reinterpret_cast<const unsigned char*>(&digest);
-  for (std::size_t i = 0; i < sizeof digest; ++i)
-    hex += fmt::format("{:02x}", bytes[i]);
-  return hex;
-}
 
 std::string trimmedText(std::string_view text) {
   return std::string(trimmed(text));

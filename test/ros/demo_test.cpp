@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The demos as demo.launch sets them up, told by demo_task.
+#include <ros/package.h>
 #include <sys/wait.h>
 
 #include <cstdio>
@@ -17,9 +18,9 @@ struct Telling {
   int status = -1;
 };
 
-Telling demoTask(const std::string& arguments) {
+Telling told(const std::string& command) {
   Telling run;
-  FILE* pipe = popen(("timeout 300 " NODE_FOLDER "/demo_task " + arguments + " 2>&1").c_str(), "r");
+  FILE* pipe = popen(("timeout 300 " + command + " 2>&1").c_str(), "r");
   if (pipe == nullptr) return run;
   char buffer[512];
   while (fgets(buffer, sizeof buffer, pipe) != nullptr)
@@ -27,6 +28,10 @@ Telling demoTask(const std::string& arguments) {
   const int status = pclose(pipe);
   run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
   return run;
+}
+
+Telling demoTask(const std::string& arguments) {
+  return told(NODE_FOLDER "/demo_task " + arguments);
 }
 
 // In this order, whatever else stands between.
@@ -61,6 +66,21 @@ TEST(Demo, failsForATaskThatCannotBe) {
   EXPECT_EQ(run.status, 1) << run.output;
   EXPECT_NE(run.output.find("(outcome 72)"), std::string::npos) << run.output;
   EXPECT_EQ(run.output.find("Guaranteed:"), std::string::npos) << run.output;
+}
+
+TEST(Demo, canBeDoneWithTheClientInPython) {
+  const std::string client =
+      ros::package::getPath("goal_alignment") + "/examples/align_and_execute.py";
+  const Telling run = told(
+      "/usr/bin/python3 " + client +
+      " '(tea-served)' '(go counter back-door)' '(carry-ladder back-door cupboard)' '(climb-up)'"
+      " '(take-from-high-shelf good-leaves)' '(take-from-high-shelf china-cup)' '(climb-down)'"
+      " '(carry-ladder cupboard back-door)' '(go back-door counter)' '(wipe china-cup)'"
+      " '(boil-kettle)' '(brew good-leaves filtered-water)' '(pour china-cup)' '(go counter table)'"
+      " '(serve china-cup)'");
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_EQ(told("/usr/bin/python3 " + client + " '(tea-served)'").status, 1)
+      << "it is not planned";
 }
 
 // A task of config/domains/home in its namespace.

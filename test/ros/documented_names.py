@@ -103,6 +103,10 @@ class Graph:
         self.services = {name: rosservice.get_service_type(name) for name in of(services)
                          if name.rsplit('/', 1)[1] not in ROSCPP_SERVICES}
         self.actions = {name[:-len('/goal')] for name in self.topics['sub'] if name.endswith('/goal')}
+        self.clients = {name[:-len('/goal')] for name in self.topics['pub'] if name.endswith('/goal')}
+        for client in self.clients:
+            for part, (kind, _) in ACTION_TOPICS.items():
+                self.topics['sub' if kind == 'pub' else 'pub'].pop(f'{client}/{part}', None)
         self.action_types = {}
         for action in self.actions:
             for part, (kind, _) in ACTION_TOPICS.items():
@@ -128,7 +132,9 @@ class DocumentedNames(unittest.TestCase):
 
     def test_every_documented_name_is_there_with_its_type(self):
         for name in self.names:
-            if name.later or name.kind == 'client':  # the master does not know clients
+            if name.kind == 'client of an action':
+                self.assertIn(name.name, self.graphs[name.node].clients)
+            if name.later or name.kind.startswith('client'):  # the master does not know clients
                 continue
             graph = self.graphs[name.node]
             with self.subTest(name=name):
@@ -153,6 +159,7 @@ class DocumentedNames(unittest.TestCase):
         for node, graph in self.graphs.items():
             known = {(name.kind, name.name) for name in self.names if name.node == node}
             there = {('srv', name) for name in graph.services} | {('action', name) for name in graph.actions}
+            there |= {('client of an action', name) for name in graph.clients}
             there |= {(kind, name) for kind, topics in graph.topics.items() for name in topics}
             self.assertEqual(there - known, set(), f'names of {node} that README.md does not know')
 
@@ -164,7 +171,7 @@ class DocumentedNames(unittest.TestCase):
                 if name.kind in ('srv', 'client'):
                     self.assertIsNotNone(roslib.message.get_service_class(name.type))
                 else:
-                    suffix = 'Action' if name.kind == 'action' else ''
+                    suffix = 'Action' if 'action' in name.kind else ''
                     self.assertIsNotNone(roslib.message.get_message_class(name.type + suffix))
 
 

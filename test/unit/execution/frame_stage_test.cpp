@@ -71,8 +71,7 @@ TEST_F(Stage, refusesWhatCantBe) {
   EXPECT_EQ(refusal({"arm", pose("[0, 0, 0]"), {}}), "no simulated frame is called arm");
   EXPECT_EQ(refusal({"cup", {}, std::string("moon")}),
             "the frames cup and moon have no common root");
-  EXPECT_EQ(refusal({"base", {}, std::string("gripper")}),
-            "the frame base would hang from itself");
+  EXPECT_EQ(refusal({"base", {}, std::string("gripper")}), "the frame base would hang from itself");
 }
 
 TEST(Pose, hasThreeForms) {

@@ -52,7 +52,8 @@ TEST_F(Codec, fillsAGoalOfMoveBase) {
 
 TEST_F(Codec, fillsTextsNumbersListsAndTimes) {
   const auto plan = decoded<Plan>(
-      "{header: {stamp: 2.5}, session_id: '{action} {0} to {to} {{x}}', plan_id: '{speed:to}', cost: 1e3,"
+      "{header: {stamp: 2.5}, session_id: '{action} {0} to {to} {{x}}', plan_id: '{speed:to}', "
+      "cost: 1e3,"
       " optimal: true, steps: [{name: a, parameters: [{key: k, value: '{from}'}], duration: 0.5},"
       " {name: b}]}");
   EXPECT_EQ(plan.header.stamp, ros::Time(2.5));
@@ -123,8 +124,7 @@ TEST_F(Codec, findsAFieldBehindAllKindsOfOthers) {
   const MessageDefinition& type = types_.message("goal_alignment/ExecutePlanResult");
   const auto matching = [&](const std::string& path, const std::string& expected) {
     std::string found;
-    const bool same =
-        matches(types_, type, bytes, path, YAML::Load(expected), arguments_, found);
+    const bool same = matches(types_, type, bytes, path, YAML::Load(expected), arguments_, found);
     return std::make_pair(same, found);
   };
   EXPECT_EQ(matching("outcome", "81"), std::make_pair(true, std::string("81")));
@@ -136,7 +136,8 @@ TEST_F(Codec, findsAFieldBehindAllKindsOfOthers) {
   EXPECT_EQ(matching("replans", "7").first, true);
   const Bytes cut(bytes.begin(), bytes.end() - 20);
   std::string found;
-  EXPECT_THROW(matches(types_, type, cut, "replans", YAML::Load("7"), arguments_, found), TypeError);
+  EXPECT_THROW(matches(types_, type, cut, "replans", YAML::Load("7"), arguments_, found),
+               TypeError);
 }
 
 TEST_F(Codec, refusesPathsToNoValue) {

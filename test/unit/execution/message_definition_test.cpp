@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/execution/message_definition.h"
 
+#include <actionlib_msgs/GoalStatusArray.h>
 #include <gtest/gtest.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include "goal_alignment/ActionFeedback.h"
 #include "goal_alignment/AlignAction.h"
+#include "goal_alignment/AlignmentState.h"
 #include "goal_alignment/AskHuman.h"
 #include "goal_alignment/ExecutePlanAction.h"
 #include "goal_alignment/Explain.h"
@@ -55,14 +58,16 @@ TEST(MessageTypes, haveTheChecksumsOfTheCompilersActions) {
 TEST(MessageTypes, areReadFromAnActionFileOrFromTheMessagesMadeOfIt) {
   MessageTypes file =
       typesOf({{"robot/action/Go", "# goal\nstring to\n---\nbool done # so\n---\n"}});
-  MessageTypes made = typesOf({{"robot/msg/GoGoal", "string to"}, {"robot/msg/GoResult", "bool done"}});
+  MessageTypes made =
+      typesOf({{"robot/msg/GoGoal", "string to"}, {"robot/msg/GoResult", "bool done"}});
   EXPECT_EQ(file.action("robot/Go").goal_message_md5, made.action("robot/Go").goal_message_md5);
   EXPECT_EQ(made.action("robot/Go").result.fieldNames(), "done");
 }
 
 TEST(MessageTypes, takeATextConstantWithItsCommentAndOthersWithout) {
-  MessageTypes types = typesOf({{"a/msg/A", "string S= x # y \nint32 N = 5 # five\nB[] bs\nfloat64[3] f"},
-                                {"a/msg/B", "bool b"}});
+  MessageTypes types =
+      typesOf({{"a/msg/A", "string S= x # y \nint32 N = 5 # five\nB[] bs\nfloat64[3] f"},
+               {"a/msg/B", "bool b"}});
   EXPECT_EQ(types.message("a/A").normal_form,
             "string S=x # y\nint32 N=5\n" + types.message("a/B").md5 + " bs\nfloat64[3] f");
   EXPECT_EQ(types.message("a/A").find("bs")->type, "a/B");

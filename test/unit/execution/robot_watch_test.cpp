@@ -58,7 +58,8 @@ TEST_F(Watch, leavesAlonePlansAndFactsOfOtherModels) {
 }
 
 TEST_F(Watch, tellsWhatASuccessChanges) {
-  const auto changes = watch_.effects(atom("go hall den"), {{atom("at hall"), atom("has cup")}, {}});
+  const auto changes =
+      watch_.effects(atom("go hall den"), {{atom("at hall"), atom("has cup")}, {}});
   std::string text;
   for (const Literal& change : changes)
     text += change.text();

@@ -19,8 +19,9 @@ class Mapping : public testing::Test {
     return faultOfCall([&] { read(yaml); });
   }
 
-  MessageTypes types_ = typesOf({{"robot/action/Go", "string to\n---\nbool done\nint32 code\n---\n"},
-                                 {"robot/srv/Open", "string door\n---\nbool success\n"}});
+  MessageTypes types_ =
+      typesOf({{"robot/action/Go", "string to\n---\nbool done\nint32 code\n---\n"},
+               {"robot/srv/Open", "string door\n---\nbool success\n"}});
 };
 
 TEST_F(Mapping, thatIsEmptyLeavesEverythingToTheNode) {
@@ -29,7 +30,7 @@ TEST_F(Mapping, thatIsEmptyLeavesEverythingToTheNode) {
 }
 
 TEST_F(Mapping, readsEveryKind) {
-  const StepMapping mapping = read(R"(
+  const StepMapping mapping = read(R"yaml(
 tables: {pose: {Hall: [0, 0, 0]}}
 default: {kind: dispatch, timeout: 7, retries: 2}
 actions:
@@ -39,7 +40,7 @@ actions:
          failure_facts: ["(not (seen {0}))"]}
 frames: {head: {parent: base, pose: [1, 2, 3, 0]}}
 failures: {(look a): always, look b: 2}
-)");
+)yaml");
   EXPECT_EQ(mapping.find("wash")->kind, StepKind::Dispatch);
   EXPECT_EQ(mapping.find("wash")->timeout, 7);
   const StepRule& go = *mapping.find("GO");
@@ -57,10 +58,10 @@ failures: {(look a): always, look b: 2}
 }
 
 TEST_F(Mapping, takesFromTheDefaultWhatAnActionDoesNotSayAndKeepsItApart) {
-  const StepMapping mapping = read(R"(
+  const StepMapping mapping = read(R"yaml(
 default: {kind: service, name: /any, type: robot/Open, request: {door: "{0}"}}
 actions: {a: {name: /a}, b: {request: {door: front}}, c: {}}
-)");
+)yaml");
   EXPECT_EQ(mapping.find("a")->name.Scalar(), "/a");
   EXPECT_EQ(mapping.find("b")->name.Scalar(), "/any");
   EXPECT_EQ(mapping.find("c")->name.Scalar(), "/any");

@@ -157,6 +157,21 @@ TEST_F(Story, endsWithTheGuarantee) {
   EXPECT_EQ(out_.str().find("step 1"), out_.str().rfind("step 1")) << "told twice";
 }
 
+TEST_F(Story, tellsOfANewPlanAndItsStepsFromTheFirst) {
+  Plan plan;
+  plan.steps.resize(2);
+  plan.steps[0].name = "slide";
+  plan.steps[1].name = "walk";
+  story_.hearStep(plan, 1);
+  story_.hearTrouble("step 1 (walk) failed");
+  Plan other = plan;
+  other.steps.resize(1);
+  story_.hearNewPlan(other);
+  story_.hearStep(other, 0);
+  expectInOrder({"step 2 of 2: ", "went wrong: step 1 (walk) failed", "a new plan of 1 steps",
+                 "step 1 of 1: "});
+}
+
 TEST_F(Story, promisesNothingAfterAFailure) {
   ExecutePlanResult result;
   result.outcome = ExecutePlanResult::STEP_FAILED;
