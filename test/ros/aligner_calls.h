@@ -7,7 +7,6 @@
 #include "goal_alignment/AlignmentState.h"
 #include "goal_alignment/Explain.h"
 #include "goal_alignment/GetFacts.h"
-#include "goal_alignment/GetFacts.h"
 #include "goal_alignment/GetState.h"
 #include "goal_alignment/SetFacts.h"
 #include "goal_alignment/Validate.h"
