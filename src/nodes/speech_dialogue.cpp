@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 
 #include <exception>
+#include <iostream>
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "speech_dialogue");
@@ -15,7 +16,8 @@ int main(int argc, char** argv) {
     dialogue.run();
     spinner.stop();
   } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
+    // Not ROS_FATAL: the node handles are gone, and with them roscpp's log.
+    std::cerr << "speech_dialogue: " << error.what() << std::endl;
     return 1;
   }
 }

@@ -135,11 +135,9 @@ std::optional<phrasing::Reply> SpeechDialogue::converse(const Question& question
 bool SpeechDialogue::say(const Question& question, const std::string& text) {
   if (text.empty()) return !isOver(question);
   deafen();
-  startSpeaking(text);
+  const bool aloud = startSpeaking(text);
   const auto cut_off = after(options_.say_timeout);
-  bool aloud = false;
   while (speech_.isRunning()) {
-    aloud = true;
     std::unique_lock<std::mutex> lock(mutex_);
     changed_.wait_for(lock, kTick);
     lock.unlock();
@@ -157,20 +155,22 @@ bool SpeechDialogue::say(const Question& question, const std::string& text) {
   return !isOver(question);
 }
 
-void SpeechDialogue::startSpeaking(const std::string& text) {
+// False where nothing will be heard.
+bool SpeechDialogue::startSpeaking(const std::string& text) {
   std_msgs::String message;
   message.data = text;
   said_.publish(message);
   const std::vector<std::string> command = options_.commandFor(text);
-  if (command.empty()) return;
+  if (command.empty()) return false;
   std::string fault;
   try {
-    if (speech_.start(command)) return;
+    if (speech_.start(command)) return true;
     fault = "there is no program " + command.front();
   } catch (const std::system_error& error) {
     fault = error.what();
   }
   warnOnce(fault);
+  return false;
 }
 
 void SpeechDialogue::warnOnce(const std::string& fault) {

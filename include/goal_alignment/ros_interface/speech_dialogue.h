@@ -49,7 +49,7 @@ class SpeechDialogue {
   std::optional<Question> awaitQuestion();
   std::optional<phrasing::Reply> converse(const Question& question);
   bool say(const Question& question, const std::string& text);
-  void startSpeaking(const std::string& text);
+  bool startSpeaking(const std::string& text);
   void warnOnce(const std::string& fault);
   std::optional<std::string> awaitWords(const Question& question, Clock::time_point until);
   bool isOver(const Question& question) const;

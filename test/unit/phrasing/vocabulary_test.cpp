@@ -142,7 +142,7 @@ TEST(VocabularyFile, FaultsNameTheirPlace) {
   EXPECT_EQ(faultOf("numbers: {0: ['zero']}"),
             "words.yaml:4:11: expected a number from 1 to 255, found '0'");
   EXPECT_EQ(faultOf("numbers: {1: ['one'], 2: ['One']}"),
-            "words.yaml:4:28: expected each word once, found 'one' again");
+            "words.yaml:4:27: expected each word once, found 'one' again");
   EXPECT_EQ(faultOf("why: [[]]").rfind("words.yaml:4:7: ", 0), 0U);
   EXPECT_EQ(faultOf("{").rfind("words.yaml:", 0), 0U);
   EXPECT_NE(faultOf("", ", goodbye: b").find("'goodbye'"), std::string::npos);
