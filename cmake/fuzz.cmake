@@ -6,17 +6,14 @@ endif()
 
 set(fuzz_flags -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS)
 
-# The floors that text from outside goes through, compiled once more with coverage.
-set(fuzz_sources)
-foreach(floor common pddl task grounding phrasing)
-  file(GLOB floor_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${floor}/*.cpp)
-  list(APPEND fuzz_sources ${floor_sources})
-endforeach()
-add_library(goal_alignment_fuzzed STATIC EXCLUDE_FROM_ALL ${fuzz_sources})
+# The core, compiled once more with coverage.
+add_library(goal_alignment_fuzzed STATIC EXCLUDE_FROM_ALL ${core_sources})
 target_include_directories(goal_alignment_fuzzed PUBLIC ${PROJECT_SOURCE_DIR}/include)
 target_compile_options(goal_alignment_fuzzed PUBLIC
   ${fuzz_flags} -fsanitize=fuzzer-no-link,address,undefined)
-target_link_libraries(goal_alignment_fuzzed PUBLIC Boost::boost Threads::Threads fmt::fmt yaml-cpp TBB::tbb)
+target_include_directories(goal_alignment_fuzzed SYSTEM PRIVATE ${CADICAL_INCLUDE_DIR})
+target_link_libraries(goal_alignment_fuzzed PUBLIC
+  Boost::boost Threads::Threads fmt::fmt yaml-cpp TBB::tbb ${CADICAL_LIBRARY})
 
 add_custom_target(fuzzers)
 foreach(target pddl plan yaml)

@@ -185,8 +185,8 @@ void AlignmentRunner::waitForAnswer(GoalTicket& ticket, const session::Snapshot&
   const auto began = Clock::now();
   if (same) {
     narrowQuestion(ticket, now);
-  } else {
-    openQuestion(ticket, now);
+  } else if (!openQuestion(ticket, now)) {
+    return;
   }
   const QuestionBridge::Wake wake = bridge_.wait(open_until_);
   const std::chrono::duration<double> waited = Clock::now() - began;
@@ -210,17 +210,21 @@ void AlignmentRunner::treatSilence() {
                  : fmt::format("nobody answered {} times within {} s", tries, timeout));
 }
 
-void AlignmentRunner::openQuestion(GoalTicket& ticket, const session::Snapshot& now) {
+// False: an answer came in meanwhile, which counts first.
+bool AlignmentRunner::openQuestion(GoalTicket& ticket, const session::Snapshot& now) {
   const session::QuestionView& view = *kept_.session->question();
+  const std::uint32_t id = bridge_.open(view.fluents);
+  if (id == 0) return false;
   open_ = toMessage(stillAsked(view, now), kept_.phrases);
   open_view_ = view;
   open_.session_id = kept_.id;
   open_.person = kept_.person;
-  open_.question_id = bridge_.open(view.fluents);
+  open_.question_id = id;
   beginPatience();
   // First of all the result that a cancel would take: it may come as soon as the question is seen.
   report(ticket, now, open_.text);
   putQuestion(ticket, now);
+  return true;
 }
 
 // Also after an answer in part: who answers is there.

@@ -99,6 +99,7 @@ void QuestionBridge::update(const session::Snapshot& snapshot) {
 
 std::uint32_t QuestionBridge::open(const std::vector<Literal>& fluents) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (!accepted_.empty()) return 0;
   closeOpen(false);
   OpenQuestion question;
   question.id = ids_.next();

@@ -13,7 +13,7 @@ class Cancel : public GoalsByHand {};
 
 TEST_F(Cancel, whileAQuestionIsOpen) {
   const Question question = sendAndAwaitQuestion(sweepHall());
-  align_.cancelGoal();
+  cancelKnownGoal(align_);
   const AlignResult result = awaitResult();
   EXPECT_EQ(result.outcome, AlignResult::CANCELED);
   EXPECT_EQ(align_.getState(), State::PREEMPTED);
@@ -90,6 +90,7 @@ TEST_F(Cancel, afterTheEndChangesNothing) {
 
 TEST_F(Cancel, ofAllGoalsAtOnce) {
   sendAndAwaitQuestion(sweepHall());
+  ASSERT_TRUE(eventually([this] { return align_.getState() == State::ACTIVE; }));
   align_.cancelAllGoals();
   EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
 }
@@ -104,7 +105,7 @@ TEST_F(Cancel, leavesTheLatchedTopicsReadable) {
   GetState call;
   ASSERT_TRUE(ros::service::call("/goal_alignment/get_state", call));
   EXPECT_EQ(int{call.response.state.phase}, AlignmentState::AWAITING_ANSWER);
-  align_.cancelGoal();
+  cancelKnownGoal(align_);
   EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
   EXPECT_TRUE(questionIsClosed());
 }

@@ -163,7 +163,7 @@ TEST_F(HangingDialogue, isAskedOnceAndItsLateAnswerIsRefused) {
 TEST_F(HangingDialogue, doesNotHoldUpACancel) {
   const Question question = sendAndAwaitQuestion(sweepHall());
   ASSERT_TRUE(wasAsked(question.question_id));
-  align_.cancelGoal();
+  cancelKnownGoal(align_);
   EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
 }
 

@@ -132,7 +132,7 @@ TEST_F(Executor, stopsAtOnceWhenCanceled) {
   client_.sendGoal(goal);
   ASSERT_TRUE(
       dispatches_.waitFor([&](const ActionDispatch& d) { return d.plan_id == goal.plan.plan_id; }));
-  client_.cancelGoal();
+  cancelKnownGoal(client_);
   ASSERT_TRUE(eventually([this] { return client_.getState().isDone(); }));
   EXPECT_EQ(client_.getState(), State::PREEMPTED);
   EXPECT_EQ(client_.getResult()->outcome, ExecutePlanResult::CANCELED);

@@ -49,7 +49,7 @@ class JournalScenario : public OwnAligner {
   }
 
   void cancelTheGoal() {
-    align_.cancelGoal();
+    cancelKnownGoal(align_);
     EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
     EXPECT_TRUE(questionIsClosed());
   }

@@ -171,7 +171,7 @@ TEST_F(Questions, theGoalsGroupSizeCountsMoreThanTheParameter) {
   goal.max_group_size = 1;
   const Question single = sendAndAwaitQuestion(goal);
   EXPECT_EQ(single.fluents.size(), 1U);
-  align_.cancelGoal();
+  cancelKnownGoal(align_);
   goal.continue_session = expectEnd(AlignResult::CANCELED).session_id;
   goal.max_group_size = 0;
   const Question group = sendAndAwaitQuestion(goal);

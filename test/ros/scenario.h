@@ -96,6 +96,17 @@ inline bool waitForEnd(AlignClient& client, double seconds = kPatience) {
   return eventually([&] { return client.getState().isDone(); }, seconds);
 }
 
+/// Not before the client has heard of its goal: a status from before the goal's arrival that it
+/// reads after the cancel makes actionlib's client take the goal for lost.
+template <typename Client>
+void cancelKnownGoal(Client& client) {
+  EXPECT_TRUE(eventually([&] {
+    return client.getState().isDone() ||
+           client.getState() == actionlib::SimpleClientGoalState::ACTIVE;
+  }));
+  client.cancelGoal();
+}
+
 PlanStep step(const std::string& name, const std::vector<std::string>& args);
 Fluent fluent(const std::string& name, const std::vector<std::string>& args);
 

@@ -49,7 +49,8 @@ class Services : public Scenario {
   }
 
   void reply(const Question& question, int value) {
-    EXPECT_TRUE(answer(value, question.question_id).accepted);
+    const Answer::Response response = answer(value, question.question_id);
+    EXPECT_TRUE(response.accepted) << response.message;
   }
 
   static void expectKnown(const Explain::Response& response, const std::string& part,
@@ -179,6 +180,19 @@ TEST_F(Services, explainWhatWouldFollow) {
               {{"(lit a1)", "(lit a2)"}});
 }
 
+TEST_F(Services, suppositionsLeaveTheOpenQuestionAsItIs) {
+  const Question question = begin(sweepRooms(4));
+  // Each finds another conflict, so that the bound on what can follow may change.
+  for (int i = 0; i < 6; ++i)
+    EXPECT_TRUE(explain({"(room r0)"}, kWhatIf).known);
+  EXPECT_EQ(questions_.last()->question_id, question.question_id);
+  EXPECT_EQ(explain({}).text, question.why);
+  reply(question, kNo);
+  for (int i = 0; i < 3; ++i)
+    reply(ask(), kNo);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+}
+
 TEST_F(Services, suppositionsHoldUpNoAnswerNoCancelAndNoGoal) {
   std::atomic<bool> go_on{true};
   std::atomic<int> known{0};
@@ -198,7 +212,7 @@ TEST_F(Services, suppositionsHoldUpNoAnswerNoCancelAndNoGoal) {
   for (int i = 0; i < 5; ++i) {
     talk();
     begin(sweepRooms(2));
-    align_.cancelGoal();
+    cancelKnownGoal(align_);
     EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
   }
   EXPECT_TRUE(eventually([&] { return known > 20; })) << "after the last outcome it is idle";
@@ -211,7 +225,7 @@ TEST_F(Services, suppositionsHoldUpNoAnswerNoCancelAndNoGoal) {
 TEST_F(Services, aSuppositionThatTakesLongIsNotKnownAndHoldsUpNoGoal) {
   sendAndAwaitAnalysis(longToAnalyse());
   EXPECT_TRUE(eventually([&] { return explain({}, kWhyNot).known; })) << "the search has begun";
-  align_.cancelGoal();
+  cancelKnownGoal(align_);
   EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
   const auto all = explain({"(at t3 c3)", "(at t4 c4)", "(at t5 c5)"}, kWhatIf);
   EXPECT_EQ(all.text, "Not known yet.");
@@ -451,7 +465,7 @@ TEST_F(Services, aFloodOfAllValuesEndsOneDialogueAndHarmsNoOther) {
   flood.run();
   EXPECT_TRUE(eventually([&] {
     const auto open = questions_.last();
-    if (open && open->question_id != 0) align_.cancelGoal();
+    if (open && open->question_id != 0) cancelKnownGoal(align_);
     return align_.getState().isDone();
   }));
   expectEachCountedOnce(flood, awaitResult());
@@ -498,7 +512,7 @@ TEST_F(Services, noneWaitsForABusySolver) {
   EXPECT_EQ(int{state.phase}, AlignmentState::ANALYSING) << "it was not busy for long enough";
   EXPECT_EQ(state.session_id, session);
   EXPECT_FALSE(align_.getState().isDone());
-  align_.cancelGoal();
+  cancelKnownGoal(align_);
   EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
 }
 

@@ -138,7 +138,7 @@ TEST_F(Sessions, goOnAfterNoPlanWithAnAlternative) {
 TEST_F(Sessions, goOnAfterACancel) {
   reply(begin(sweepBothRooms()), kNo);
   const Question open = ask();
-  align_.cancelGoal();
+  cancelKnownGoal(align_);
   const AlignResult before = expectEnd(AlignResult::CANCELED);
   goOn(before);
   const Question again = askAgain();
@@ -154,7 +154,7 @@ TEST_F(Sessions, goOnAfterACancel) {
 TEST_F(Sessions, goOnAfterSilence) {
   reply(begin(sweepBothRooms()), kNo);
   const Question open = ask();
-  align_.cancelGoal();
+  cancelKnownGoal(align_);
   AlignResult before = expectEnd(AlignResult::CANCELED);
   {
     const Parameter timeout("ask_timeout", 0.2);

@@ -105,7 +105,7 @@ class AlignmentRunner {
   std::set<Literal> answered() const;
   void waitForAnswer(GoalTicket& ticket, const session::Snapshot& now);
   void treatSilence();
-  void openQuestion(GoalTicket& ticket, const session::Snapshot& now);
+  bool openQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void narrowQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void beginPatience();
   void putQuestion(GoalTicket& ticket, const session::Snapshot& now);

@@ -50,7 +50,8 @@ class QuestionBridge {
   bool endSessionIfIdle();
   /// The candidates as the session sees them, after every step.
   void update(const session::Snapshot& snapshot);
-  /// Opens a question and returns its id.
+  /// Opens a question and returns its id; 0 and nothing, as long as an accepted answer waits to be
+  /// taken: it may be the answer to this very question.
   std::uint32_t open(const std::vector<Literal>& fluents);
   void close();
   std::vector<AcceptedAnswer> take();

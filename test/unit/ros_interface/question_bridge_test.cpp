@@ -211,6 +211,18 @@ TEST_F(Bridge, aQuestionThatReplacesTheOpenOneEndsIt) {
   EXPECT_TRUE(submit(kNo, second).accepted);
 }
 
+TEST_F(Bridge, opensNothingBeforeAcceptedAnswersAreTaken) {
+  const std::uint32_t first = bridge_.open({literal("(a)"), literal("(b)")});
+  EXPECT_TRUE(submit(kNo, first, {"(a)"}).accepted);
+  EXPECT_EQ(bridge_.open({literal("(a)")}), 0U);
+  EXPECT_EQ(bridge_.openId(), first) << "the rest of it can still be answered";
+  EXPECT_TRUE(submit(kNo, first).accepted);
+  EXPECT_EQ(bridge_.open({literal("(b)")}), 0U);
+  EXPECT_EQ(bridge_.openId(), 0U);
+  EXPECT_EQ(bridge_.take().size(), 2U);
+  EXPECT_GT(bridge_.open({literal("(b)")}), first);
+}
+
 TEST_F(Bridge, ofAGroupNoToSomeLeavesTheRestOpen) {
   const std::uint32_t id = bridge_.open({literal("(a)"), literal("(b)")});
   EXPECT_TRUE(submit(kNo, id, {"(a)"}).accepted);
