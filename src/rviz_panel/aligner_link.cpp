@@ -100,12 +100,12 @@ void AlignerLink::subscribe() {
 
 template <typename Message>
 std::function<void(const boost::shared_ptr<const Message>&)> AlignerLink::forward(
-    void (AlignerLink::*hear)(const boost::shared_ptr<const Message>&)) {
+    void (AlignerLink::*take)(const boost::shared_ptr<const Message>&)) {
   return
-      [this, hear, mailbox = mailbox_, shared = shared_,
+      [this, take, mailbox = mailbox_, shared = shared_,
        generation = shared_->generation.load()](const boost::shared_ptr<const Message>& message) {
-        mailbox->post([this, hear, message, shared, generation] {
-          if (generation == shared->generation) (this->*hear)(message);
+        mailbox->post([this, take, message, shared, generation] {
+          if (generation == shared->generation) (this->*take)(message);
         });
       };
 }

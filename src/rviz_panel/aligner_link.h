@@ -65,7 +65,7 @@ class AlignerLink : public QObject {
   Listener listener();
   template <typename Message>
   std::function<void(const boost::shared_ptr<const Message>&)> forward(
-      void (AlignerLink::*hear)(const boost::shared_ptr<const Message>&));
+      void (AlignerLink::*take)(const boost::shared_ptr<const Message>&));
   void hear(const AlignmentState::ConstPtr& state);
   void hear(const Question::ConstPtr& question);
   void hear(const Plan::ConstPtr& plan);

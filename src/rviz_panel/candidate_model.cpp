@@ -50,19 +50,17 @@ bool CandidateModel::hasSameRows(const AlignmentState& state) const {
       [](const Candidate& a, const Candidate& b) { return isSame(a.fluent, b.fluent); });
 }
 
-// One signal for each run of rows that differ.
+// One signal for all: a sorter that hears of the rows one by one would sort each among others that
+// it has not heard of yet.
 void CandidateModel::announceChanges(const AlignmentState& before) {
-  const int rows = rowCount();
-  const auto differs = [&](int row) {
-    return !looksSame(before.candidates[row], state_->candidates[row]);
-  };
-  for (int row = 0; row < rows; ++row) {
-    if (!differs(row)) continue;
-    const int first = row;
-    while (row + 1 < rows && differs(row + 1))
-      ++row;
-    emit dataChanged(index(first, 0), index(row, Columns - 1));
+  int first = -1;
+  int last = -1;
+  for (int row = 0; row < rowCount(); ++row) {
+    if (looksSame(before.candidates[row], state_->candidates[row])) continue;
+    if (first < 0) first = row;
+    last = row;
   }
+  if (first >= 0) emit dataChanged(index(first, 0), index(last, Columns - 1));
 }
 
 int CandidateModel::rowCount(const QModelIndex& parent) const {

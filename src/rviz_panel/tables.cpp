@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kRowPadding = 8;      // pixels
 constexpr int kColumnPadding = 16;  // pixels
+constexpr int kPhraseLength = 40;   // letters that mostly suffice
 
 struct Choice {
   int answer;
@@ -101,6 +102,7 @@ CandidateTable::CandidateTable(QWidget* parent)
   sorter_.setSourceModel(&candidates_);
   setModel(&sorter_);
   setSortingEnabled(true);
+  setWordWrap(true);
   sortByColumn(CandidateModel::State, Qt::AscendingOrder);
   setItemDelegateForColumn(CandidateModel::Belief,
                            new BeliefDelegate(CandidateModel::BeliefRole, this));
@@ -108,12 +110,20 @@ CandidateTable::CandidateTable(QWidget* parent)
   QHeaderView* header = horizontalHeader();
   header->setSectionResizeMode(QHeaderView::Fixed);
   header->setSectionResizeMode(CandidateModel::Phrase, QHeaderView::Stretch);
-  header->resizeSection(CandidateModel::Belief, widthOf(*this, QStringLiteral("Belief  ▾")));
+  header->resizeSection(CandidateModel::Belief, widthOf(*this, QStringLiteral("100 %")) + 4);
   QFont bold = font();
   bold.setBold(true);
   header->resizeSection(
       CandidateModel::State,
       QFontMetrics(bold).horizontalAdvance(QStringLiteral("not wanted")) + kColumnPadding);
+}
+
+// A narrow table breaks its phrases into two lines.
+void CandidateTable::resizeEvent(QResizeEvent* event) {
+  RowTable::resizeEvent(event);
+  const int needed = fontMetrics().averageCharWidth() * kPhraseLength;
+  const int lines = horizontalHeader()->sectionSize(CandidateModel::Phrase) < needed ? 2 : 1;
+  verticalHeader()->setDefaultSectionSize(lines * fontMetrics().height() + kRowPadding);
 }
 
 void CandidateTable::contextMenuEvent(QContextMenuEvent* event) {

@@ -42,6 +42,7 @@ class CandidateTable : public RowTable {
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void addAnswers(QMenu& menu, const QStringList& fluents, bool answered);

@@ -206,7 +206,9 @@ class DocumentedParameters(unittest.TestCase):
                                      text_of('launch/goal_alignment.launch').split('</node>')[0]))
 
     def test_every_configured_parameter_is_read(self):
-        self.assertEqual(set(rospy.get_param(ALIGNER)), self.configured())
+        # roslaunch sets no struct that is empty.
+        empty = {key for key, value in yaml.safe_load(text_of('config/goal_alignment.yaml')).items() if value == {}}
+        self.assertEqual(set(rospy.get_param(ALIGNER)), self.configured() - empty)
         # A warning that must come shows that the others would have come; the log may reach us late.
         for attempt in range(100):
             rospy.set_param(f'{ALIGNER}/nobody_reads_this_{attempt}', 1)
