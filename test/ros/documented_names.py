@@ -46,7 +46,7 @@ def leading_types(rule):
     """The types that a rule begins with: "Question, AlignmentState, Plan. No node …" has three."""
     types = []
     while True:
-        found = re.match(r'\s*((?:[a-z_]+/)?[A-Z]\w+)\s*(,?)', rule)
+        found = re.match(r'\s*((?:[a-z_0-9]+/)?[A-Z]\w+)\s*(,?)', rule)
         if not found:
             return types
         types.append(found.group(1) if '/' in found.group(1) else 'goal_alignment/' + found.group(1))
