@@ -6,21 +6,21 @@ usage: fake_robot.py       then plan_executor with config/domains/ward/robot_exe
 """
 import actionlib
 import rospy
-import tf2_ros
 from geometry_msgs.msg import Quaternion, TransformStamped, Vector3
 from move_base_msgs.msg import MoveBaseAction
 from std_srvs.srv import SetBool, Trigger
+from tf2_msgs.msg import TFMessage
 
 rospy.init_node('fake_robot')
 base = TransformStamped(child_frame_id='base_link')
 base.header.frame_id = 'map'
 base.transform.rotation = Quaternion(w=1.0)
-broadcaster = tf2_ros.TransformBroadcaster()
+tf = rospy.Publisher('/tf', TFMessage, queue_size=10)
 
 
 def show(_event):
     base.header.stamp = rospy.Time.now()
-    broadcaster.sendTransform(base)
+    tf.publish([base])
 
 
 def go(goal):
@@ -33,7 +33,7 @@ def go(goal):
 
 move_base = actionlib.SimpleActionServer('move_base', MoveBaseAction, execute_cb=go, auto_start=False)
 move_base.start()
-rospy.Service('/doors/fire-door/open', SetBool, lambda request: (True, 'open'))
+rospy.Service('/doors/fire_door/open', SetBool, lambda request: (True, 'open'))
 rospy.Service('/tray/load', Trigger, lambda request: (True, 'loaded'))
 rospy.Service('/tray/unload', Trigger, lambda request: (True, 'unloaded'))
 rospy.Timer(rospy.Duration(0.1), show)

@@ -114,5 +114,18 @@ TEST(ExampleMapping, isReadWithTheTypesThatItNames) {
   EXPECT_EQ(mapping.find("go")->kind, StepKind::Action);
 }
 
+TEST(ExampleMapping, ofTheTutorialSaysHowEachActionIsCarriedOut) {
+  MessageTypes types(installedDefinition);
+  const std::string ward = "config/domains/ward/";
+  const pddl::Model robot =
+      pddl::readModel(pddl::readFile(ros_interface::resolveFile(ward + "robot_domain.pddl")),
+                      pddl::readFile(ros_interface::resolveFile(ward + "robot_problem.pddl")));
+  const pddl::Source file =
+      pddl::readFile(ros_interface::resolveFile(ward + "robot_execution.yaml"));
+  const StepMapping mapping = StepMapping::fromYaml(file.text, file.name, types, std::nullopt);
+  for (const pddl::Schema& schema : robot.schemas)
+    EXPECT_NE(mapping.find(schema.name.name), nullptr) << schema.name.name;
+}
+
 }  // namespace
 }  // namespace goal_alignment::execution::test
