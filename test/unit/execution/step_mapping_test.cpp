@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "goal_alignment/pddl/model.h"
 #include "goal_alignment/pddl/source_position.h"
 #include "goal_alignment/ros_interface/package_files.h"
 #include "samples.h"
