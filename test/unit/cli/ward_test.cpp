@@ -13,35 +13,31 @@ namespace {
 using nlohmann::json;
 using samples::hagl;
 
-class Ward : public testing::Test {
- protected:
-  std::string folder_ = std::filesystem::canonical(std::filesystem::path(__FILE__).parent_path() /
-                                                   "../../../config/domains/ward");
+std::string ward(const std::string& file = "") {
+  const std::filesystem::path root = std::filesystem::path(__FILE__).parent_path() / "../../..";
+  return (std::filesystem::canonical(root / "config/domains/ward") / file).string();
+}
 
-  std::string operator/(const std::string& name) const { return folder_ + "/" + name; }
-};
-
-TEST_F(Ward, ThePersonsPlanIsValidForThemAndNotForTheRobot) {
-  const Ward& ward = *this;
-  EXPECT_EQ(hagl({"validate", ward / "human_domain.pddl", ward / "human_problem.pddl",
-                  ward / "human_plan.txt"})
+TEST(Ward, ThePersonsPlanIsValidForThemAndNotForTheRobot) {
+  EXPECT_EQ(hagl({"validate", ward("human_domain.pddl"), ward("human_problem.pddl"),
+                  ward("human_plan.txt")})
                 .status,
             0);
-  const auto ended = hagl({"validate", ward / "robot_domain.pddl", ward / "robot_problem.pddl",
-                           ward / "human_plan.txt"});
+  const auto ended = hagl(
+      {"validate", ward("robot_domain.pddl"), ward("robot_problem.pddl"), ward("human_plan.txt")});
   EXPECT_EQ(ended.status, 2);
   EXPECT_NE((ended.out + ended.err).find("step 4 (load soup kitchen)"), std::string::npos);
 }
 
-TEST_F(Ward, SoupOrDockIsTheOneConflict) {
-  const json found = hagl({"conflicts", folder_, "--json"}).json();
+TEST(Ward, SoupOrDockIsTheOneConflict) {
+  const json found = hagl({"conflicts", ward(), "--json"}).json();
   ASSERT_EQ(found["conflicts"].size(), 1U);
   EXPECT_EQ(found["conflicts"][0]["fluents"],
             json::array({"(robot-at dock)", "(thing-at soup bedside)"}));
 }
 
-TEST_F(Ward, OneQuestionLeadsToAPlanOfNineSteps) {
-  const json found = hagl({"align", folder_, "--json"}).json();
+TEST(Ward, OneQuestionLeadsToAPlanOfNineSteps) {
+  const json found = hagl({"align", ward(), "--json"}).json();
   EXPECT_EQ(found["code"], 1);
   EXPECT_EQ(found["rounds"], 1);
   EXPECT_EQ(found["plan"].size(), 9U);
