@@ -10,18 +10,6 @@
 
 namespace goal_alignment::execution {
 
-// yaml-cpp counts from 0 and has -1 for "nowhere".
-MappingError::MappingError(const std::string& source, const YAML::Mark& mark,
-                           const std::string& message)
-    : std::runtime_error(
-          fmt::format("{}:{}:{}: {}", source, mark.line + 1, mark.column + 1, message)) {}
-
-std::string describe(const YAML::Node& node) {
-  if (node.IsMap()) return "a map";
-  if (node.IsSequence()) return "a list";
-  return node.IsScalar() ? inQuotes(node.Scalar()) : "nothing";
-}
-
 Arguments::Arguments(const ActionDispatch& step, const YAML::Node& tables, std::string source)
     : tables_(tables), source_(std::move(source)) {
   objects_["action"] = step.name;
@@ -34,9 +22,8 @@ Arguments::Arguments(const ActionDispatch& step, const YAML::Node& tables, std::
 std::string Arguments::object(const std::string& key, const YAML::Node& node) const {
   const auto found = objects_.find(toLower(key));
   if (found != objects_.end()) return found->second;
-  throw MappingError(
-      source_, node.Mark(),
-      fmt::format("the action {} has no parameter {}", objects_.at("action"), inQuotes(key)));
+  YamlReader(source_).failAt(node.Mark(), fmt::format("the action {} has no parameter {}",
+                                                      objects_.at("action"), inQuotes(key)));
 }
 
 YAML::Node Arguments::entry(const std::string& name, const YAML::Node& node) const {
@@ -46,22 +33,22 @@ YAML::Node Arguments::entry(const std::string& name, const YAML::Node& node) con
   const YAML::Node& tables = tables_;  // a const one is not changed by looking
   const YAML::Node entries = tables.IsMap() ? tables[table] : YAML::Node();
   if (!entries.IsDefined() || !entries.IsMap()) {
-    throw MappingError(source_, node.Mark(), fmt::format("there is no table {}", inQuotes(table)));
+    YamlReader(source_).failAt(node.Mark(), fmt::format("there is no table {}", inQuotes(table)));
   }
   for (const auto& candidate : entries) {
     if (toLower(candidate.first.Scalar()) == of) return candidate.second;
   }
-  throw MappingError(source_, node.Mark(),
-                     fmt::format("table {} has no entry for {}", inQuotes(table), inQuotes(of)));
+  YamlReader(source_).failAt(
+      node.Mark(), fmt::format("table {} has no entry for {}", inQuotes(table), inQuotes(of)));
 }
 
 std::string Arguments::value(const std::string& name, const YAML::Node& node) const {
   if (name.find(':') == std::string::npos) return object(name, node);
   const YAML::Node found = entry(name, node);
   if (found.IsScalar()) return found.Scalar();
-  throw MappingError(
-      source_, node.Mark(),
-      fmt::format("{{{}}} is {}: inside of a text expected a text", name, describe(found)));
+  YamlReader(source_).failAt(node.Mark(),
+                             fmt::format("{{{}}} is {}: inside of a text expected a text", name,
+                                         YamlReader::describe(found)));
 }
 
 std::string Arguments::fill(const YAML::Node& scalar) const {
@@ -70,7 +57,7 @@ std::string Arguments::fill(const YAML::Node& scalar) const {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool doubled = i + 1 < text.size() && text[i] == text[i + 1];
     if (text[i] == '}' && !doubled) {
-      throw MappingError(source_, scalar.Mark(), "'}' without '{' in " + inQuotes(text));
+      YamlReader(source_).failAt(scalar.Mark(), "'}' without '{' in " + inQuotes(text));
     }
     if (text[i] != '{' || doubled) {
       filled += text[i];
@@ -79,7 +66,7 @@ std::string Arguments::fill(const YAML::Node& scalar) const {
     }
     const std::size_t end = text.find('}', i);
     if (end == std::string::npos) {
-      throw MappingError(source_, scalar.Mark(), "'{' without '}' in " + inQuotes(text));
+      YamlReader(source_).failAt(scalar.Mark(), "'{' without '}' in " + inQuotes(text));
     }
     filled += value(text.substr(i + 1, end - i - 1), scalar);
     i = end;

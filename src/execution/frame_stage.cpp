@@ -16,15 +16,15 @@ constexpr const char* kPoseForms =
 constexpr double kShortestQuaternion = 1e-6;
 
 [[noreturn]] void refuse(const YAML::Node& node, const std::string& source) {
-  throw MappingError(source, node.Mark(),
-                     fmt::format("expected {}, found {}", kPoseForms, describe(node)));
+  YamlReader(source).failAt(
+      node.Mark(), fmt::format("expected {}, found {}", kPoseForms, YamlReader::describe(node)));
 }
 
 double coordinate(const YAML::Node& node, const std::string& source) {
   double value = 0;
   if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value)) {
-    throw MappingError(source, node.Mark(),
-                       fmt::format("expected a number, found {}", describe(node)));
+    YamlReader(source).failAt(
+        node.Mark(), fmt::format("expected a number, found {}", YamlReader::describe(node)));
   }
   return value;
 }
@@ -66,7 +66,7 @@ tf2::Transform poseOf(const YAML::Node& node, const std::string& source) {
   tf2::Quaternion rotation(part(q, "x"), part(q, "y"), part(q, "z"),
                            field(q, "w", q.IsDefined() ? 0 : 1, source));
   if (rotation.length() < kShortestQuaternion) {
-    throw MappingError(source, node.Mark(), "the orientation is no rotation: its length is 0");
+    YamlReader(source).failAt(node.Mark(), "the orientation is no rotation: its length is 0");
   }
   return tf2::Transform(rotation.normalized(),
                         tf2::Vector3(part(p, "x"), part(p, "y"), part(p, "z")));

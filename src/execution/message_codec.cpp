@@ -61,9 +61,9 @@ class Encoder {
  private:
   [[noreturn]] void expect(const YAML::Node& node, const std::string& expected,
                            const std::string& text = "") const {
-    throw MappingError(source_, node.Mark(),
-                       fmt::format("expected {}, found {}", expected,
-                                   text.empty() ? describe(node) : inQuotes(text)));
+    YamlReader(source_).failAt(
+        node.Mark(), fmt::format("expected {}, found {}", expected,
+                                 text.empty() ? YamlReader::describe(node) : inQuotes(text)));
   }
 
   YAML::Node resolve(const YAML::Node& node) const {
@@ -80,9 +80,9 @@ class Encoder {
     for (const auto& entry : fields) {
       if (!entry.first.IsScalar()) expect(entry.first, "the name of a field");
       if (definition.find(entry.first.Scalar()) != nullptr) continue;
-      throw MappingError(source_, entry.first.Mark(),
-                         fmt::format("{} has no field {}, but {}", definition.type,
-                                     inQuotes(entry.first.Scalar()), definition.fieldNames()));
+      YamlReader(source_).failAt(
+          entry.first.Mark(), fmt::format("{} has no field {}, but {}", definition.type,
+                                          inQuotes(entry.first.Scalar()), definition.fieldNames()));
     }
   }
 

@@ -286,7 +286,7 @@ std::vector<Literal> PlanRun::failureFacts(const ActionDispatch& step, const Ste
     try {
       facts.push_back(Literal::parse(arguments.fill(fact)));
     } catch (const std::invalid_argument& error) {
-      throw MappingError(mapping_.source, fact.Mark(), error.what());
+      YamlReader(mapping_.source).failAt(fact.Mark(), error.what());
     }
   }
   return facts;

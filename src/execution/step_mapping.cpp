@@ -29,45 +29,27 @@ const std::vector<Words> kKeys = {{"name", "type", "goal", "success_field", "ser
                                   {"failure_probability", "moves"}};
 
 /// Fills a StepMapping from YAML and knows, for its errors, where everything stands.
-class MappingReader {
+class MappingReader : private YamlReader {
  public:
-  MappingReader(std::string source, MessageTypes& types, std::optional<StepKind> default_kind)
-      : types_(types) {
-    mapping_.source = std::move(source);
+  MappingReader(const std::string& source, MessageTypes& types,
+                std::optional<StepKind> default_kind)
+      : YamlReader(source), types_(types) {
+    mapping_.source = source;
     if (default_kind) mapping_.fallback.emplace().kind = *default_kind;
   }
 
   StepMapping read(const std::string& text) {
-    try {
-      const YAML::Node root = YAML::Load(text);
-      if (!root.IsNull()) readSections(root);
-    } catch (const YAML::Exception& error) {
-      throw MappingError(mapping_.source, error.mark, "no YAML: " + error.msg);
-    }
+    load(text, [this](const YAML::Node& root) { readSections(root); });
     return std::move(mapping_);
   }
 
  private:
   [[noreturn]] void fail(const YAML::Node& at, const std::string& message) const {
-    throw MappingError(mapping_.source, at.Mark(), message);
+    failAt(at.Mark(), message);
   }
 
   [[noreturn]] void expect(const YAML::Node& found, const std::string& expected) const {
-    fail(found, fmt::format("expected {}, found {}", expected, describe(found)));
-  }
-
-  std::string text(const YAML::Node& node, const std::string& what) const {
-    if (!node.IsScalar() || node.Scalar().empty()) expect(node, what);
-    return node.Scalar();
-  }
-
-  double number(const YAML::Node& node, double low, double high) const {
-    double value = 0;
-    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) ||
-        !(value >= low && value <= high)) {
-      expect(node, fmt::format("a number from {} to {}", low, high));
-    }
-    return value;
+    YamlReader::fail(found.Mark(), expected, describe(found));
   }
 
   int whole(const YAML::Node& node, int low, int high) const {
@@ -153,13 +135,15 @@ class MappingReader {
   }
 
   void readCommon(const YAML::Node& node, StepRule& rule) const {
-    if (const auto timeout = node["timeout"]) rule.timeout = number(timeout, 0, kLongestTimeout);
+    if (const auto timeout = node["timeout"])
+      rule.timeout = number(timeout, "a number", 0, kLongestTimeout);
     if (const auto retries = node["retries"]) rule.retries = whole(retries, 0, kMostRetries);
     if (const auto patience = node["server_patience"])
-      rule.server_patience = number(patience, 0, kLongestTimeout);
+      rule.server_patience = number(patience, "a number", 0, kLongestTimeout);
     if (const auto on_failure = node["on_failure"])
       rule.stop_on_failure = word(on_failure, {"replan", "stop"}) == 1;
-    if (const auto duration = node["duration"]) rule.duration = number(duration, 0, kLongestStep);
+    if (const auto duration = node["duration"])
+      rule.duration = number(duration, "a number", 0, kLongestStep);
     if (const auto facts = node["failure_facts"]) {
       if (!facts.IsSequence()) expect(facts, "a list of texts such as \"(not (open {door}))\"");
       rule.failure_facts.clear();
@@ -223,7 +207,7 @@ class MappingReader {
 
   void readSimulation(const YAML::Node& node, StepRule& rule) const {
     if (const auto probability = node["failure_probability"])
-      rule.failure_probability = number(probability, 0, 1);
+      rule.failure_probability = number(probability, "a number", 0, 1);
     const YAML::Node moves = node["moves"];
     if (!isGiven(moves)) return;
     if (!moves.IsSequence()) expect(moves, "a list of moves {frame, to, parent}");

@@ -4,22 +4,13 @@
 #include <yaml-cpp/yaml.h>
 
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "goal_alignment/ActionDispatch.h"
+#include "goal_alignment/common/yaml_reader.h"
 
 namespace goal_alignment::execution {
-
-/// A fault of a mapping; what() says file:line:column, what was expected and what stood there.
-class MappingError : public std::runtime_error {
- public:
-  MappingError(const std::string& source, const YAML::Mark& mark, const std::string& message);
-};
-
-/// What an error quotes of a node: "a map", "a list", 'text', "nothing".
-std::string describe(const YAML::Node& node);
 
 /// What the texts of a mapping stand for in one step of a plan: `{to}` is the object that the
 /// action's parameter ?to has, `{0}` that of the first one, `{action}` the action's name,
@@ -29,11 +20,11 @@ class Arguments {
   /// `tables`: maps of maps, the inner keys in lower case. `source` names the file in errors.
   Arguments(const ActionDispatch& step, const YAML::Node& tables, std::string source);
 
-  /// The text with everything filled in. Throws MappingError.
+  /// The text with everything filled in. Throws YamlError.
   std::string fill(const YAML::Node& scalar) const;
 
   /// What the node stands for: a text that is nothing but one `{table:key}` stands for the table's
-  /// entry, whatever that is, everything else for itself. Throws MappingError.
+  /// entry, whatever that is, everything else for itself. Throws YamlError.
   YAML::Node resolve(const YAML::Node& node) const;
 
   const std::string& source() const { return source_; }

@@ -15,7 +15,7 @@
 namespace goal_alignment::execution {
 
 /// `[x, y, yaw]`, `[x, y, z, yaw]` in metres and radians, or a map with the fields of
-/// geometry_msgs/Pose; nothing is the identity. Throws MappingError.
+/// geometry_msgs/Pose; nothing is the identity. Throws YamlError.
 tf2::Transform poseOf(const YAML::Node& node, const std::string& source);
 
 /// Frames of a simulated world, and how they move. Thread-safe.

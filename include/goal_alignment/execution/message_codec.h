@@ -16,7 +16,7 @@ namespace goal_alignment::execution {
 using Bytes = std::vector<std::uint8_t>;
 
 /// The message as ROS sends it, from the fields that YAML gives; those left out are zero, empty or
-/// false, and the stamp of a header is `now`. A time is `now` or seconds. Throws MappingError, and
+/// false, and the stamp of a header is `now`. A time is `now` or seconds. Throws YamlError, and
 /// TypeError where a part's type is not known.
 Bytes encode(MessageTypes& types, const MessageDefinition& definition, const YAML::Node& fields,
              const Arguments& arguments, const ros::Time& now);
@@ -31,7 +31,7 @@ void check(MessageTypes& types, const MessageDefinition& definition, const YAML:
 void checkPath(MessageTypes& types, const MessageDefinition& definition, const std::string& path);
 
 /// Whether the message has that value there; `found` becomes what it has, for people. Throws
-/// MappingError for a value of another type, TypeError for bytes that are no such message.
+/// YamlError for a value of another type, TypeError for bytes that are no such message.
 bool matches(MessageTypes& types, const MessageDefinition& definition, const Bytes& message,
              const std::string& path, const YAML::Node& expected, const Arguments& arguments,
              std::string& found);

@@ -72,7 +72,7 @@ struct StepMapping {
   /// Null: nothing is said of it.
   const StepRule* find(const std::string& action) const;
 
-  /// Throws MappingError at the first fault. `default_kind`, if given, is that of every action of
+  /// Throws YamlError at the first fault. `default_kind`, if given, is that of every action of
   /// which nothing else is said. An empty text is an empty mapping.
   static StepMapping fromYaml(const std::string& text, const std::string& source,
                               MessageTypes& types, std::optional<StepKind> default_kind);

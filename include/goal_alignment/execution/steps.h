@@ -45,7 +45,7 @@ struct StepTry {
 };
 
 /// One way to carry out steps. Runs on the thread that runs plans; an interrupt reaches it through
-/// the wait point. A fault of the mapping throws MappingError, one of a type TypeError.
+/// the wait point. A fault of the mapping throws YamlError, one of a type TypeError.
 class StepRunner {
  public:
   virtual ~StepRunner() = default;

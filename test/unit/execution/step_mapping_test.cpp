@@ -81,7 +81,7 @@ TEST_F(Mapping, saysWhereItsFaultIs) {
   EXPECT_EQ(fault("actions: {go: {kind: dispatch}, GO: {kind: dispatch}}"),
             "m.yaml:1:33: 'GO' stands twice");
   EXPECT_EQ(fault("default: {kind: dispatch, timeout: -1}"),
-            "m.yaml:1:36: expected a number from 0 to 86400, found '-1'");
+            "m.yaml:1:36: expected a number, 0 to 86400, found '-1'");
   EXPECT_EQ(fault("default: {kind: dispatch, retries: few}"),
             "m.yaml:1:36: expected a whole number from 0 to 1000, found 'few'");
   EXPECT_EQ(fault("actions: {go: {kind: action, name: x}}"),
