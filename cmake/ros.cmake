@@ -27,10 +27,12 @@ catkin_package(
     message_runtime roscpp roslib std_msgs std_srvs tf2 tf2_ros topic_tools visualization_msgs
   DEPENDS Boost)
 
-# The core was declared before catkin said where libraries go.
+# The core and hagl were declared before catkin said where libraries and programs go.
 set_target_properties(goal_alignment_core PROPERTIES
   ARCHIVE_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_LIB_DESTINATION}
   LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_LIB_DESTINATION})
+set_target_properties(hagl PROPERTIES
+  RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
 
 function(goal_alignment_ros_target target)
   target_include_directories(${target} PUBLIC
@@ -68,7 +70,7 @@ install(TARGETS goal_alignment_core
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(TARGETS hagl ${goal_alignment_nodes} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
-catkin_install_python(PROGRAMS examples/align_and_execute.py
+catkin_install_python(PROGRAMS examples/align_and_execute.py examples/fake_robot.py
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(DIRECTORY launch config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 

@@ -35,10 +35,9 @@ void DispatchedSteps::hear(const ros::MessageEvent<const ActionFeedback>& event)
   const ActionFeedback& feedback = *event.getConstMessage();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (expected_ == nullptr || feedback.action_id != expected_->action_id ||
-        feedback.plan_id != expected_->plan_id) {
-      return;
-    }
+    if (expected_ == nullptr || feedback.action_id != expected_->action_id) return;
+    // ROSPlan's C++ base class of components leaves the plan's id out; ours count from 1.
+    if (feedback.plan_id != expected_->plan_id && feedback.plan_id != 0) return;
     last_ = feedback;
   }
   wait_.notify();

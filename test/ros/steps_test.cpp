@@ -332,7 +332,8 @@ class FakeComponent {
     say(*dispatch, ActionFeedback::ACTION_ENABLED, 0);
     // Of others this is not to be believed.
     say(*dispatch, ActionFeedback::ACTION_FAILED, 5);
-    if (status >= 0) say(*dispatch, status, 0);
+    // As ROSPlan's C++ base class does, which leaves the plan's id out.
+    if (status >= 0) say(*dispatch, status, -dispatch->plan_id);
   }
 
   void say(const ActionDispatch& dispatch, int what, int other_plan) {

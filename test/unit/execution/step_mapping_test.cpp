@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "goal_alignment/pddl/model.h"
 #include "goal_alignment/pddl/source_position.h"
 #include "goal_alignment/ros_interface/package_files.h"
 #include "samples.h"
@@ -112,6 +113,19 @@ TEST(ExampleMapping, isReadWithTheTypesThatItNames) {
   const StepMapping mapping = StepMapping::fromYaml(file.text, file.name, types, std::nullopt);
   ASSERT_NE(mapping.find("go"), nullptr);
   EXPECT_EQ(mapping.find("go")->kind, StepKind::Action);
+}
+
+TEST(ExampleMapping, ofTheTutorialSaysHowEachActionIsCarriedOut) {
+  MessageTypes types(installedDefinition);
+  const std::string ward = "config/domains/ward/";
+  const pddl::Model robot =
+      pddl::readModel(pddl::readFile(ros_interface::resolveFile(ward + "robot_domain.pddl")),
+                      pddl::readFile(ros_interface::resolveFile(ward + "robot_problem.pddl")));
+  const pddl::Source file =
+      pddl::readFile(ros_interface::resolveFile(ward + "robot_execution.yaml"));
+  const StepMapping mapping = StepMapping::fromYaml(file.text, file.name, types, std::nullopt);
+  for (const pddl::Schema& schema : robot.schemas)
+    EXPECT_NE(mapping.find(schema.name.name), nullptr) << schema.name.name;
 }
 
 }  // namespace

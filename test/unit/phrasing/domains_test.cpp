@@ -65,6 +65,7 @@ std::vector<Spoken> spoken() {
   std::vector<Spoken> all;
   for (const char* side : {"robot", "human"}) {
     all.push_back({"tea", ".", side});
+    all.push_back({"ward", ".", side});
     for (const char* task : {"clear_table", "nap_time", "evening_tablets", "laundry_day",
                              "afternoon_tea", "lay_table"})
       all.push_back({"home", task, side});

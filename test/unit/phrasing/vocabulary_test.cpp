@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "goal_alignment/common/yaml_reader.h"
 #include "goal_alignment/pddl/source_position.h"
 #include "goal_alignment/phrasing/phrases.h"
 #include "goal_alignment/phrasing/spoken_question.h"

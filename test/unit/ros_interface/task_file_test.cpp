@@ -18,14 +18,14 @@ namespace {
 
 std::vector<std::string> taskFolders() {
   const auto root = std::filesystem::path(__FILE__).parent_path() / "../../../config/domains";
-  std::vector<std::string> folders = {(root / "tea").string()};
+  std::vector<std::string> folders = {(root / "tea").string(), (root / "ward").string()};
   for (const auto& entry : std::filesystem::directory_iterator(root / "home"))
     if (entry.is_directory()) folders.push_back(entry.path().string());
   return folders;
 }
 
 TEST(TaskFiles, thereAreSixInTheHome) {
-  EXPECT_EQ(taskFolders().size(), 7U);
+  EXPECT_EQ(taskFolders().size(), 8U);
 }
 
 TEST(TaskFiles, havePlanAndGoalOfTheirFolder) {

@@ -184,6 +184,14 @@ TEST(Rules, OfTheExampleCanBeRead) {
   EXPECT_EQ(read->regions()[3].frame, "tray_link");
 }
 
+TEST(Rules, OfTheTutorialCanBeRead) {
+  const auto root = std::filesystem::path(__FILE__).parent_path() / "../../..";
+  const std::string name = (root / "config/domains/ward/tf_facts.yaml").string();
+  const auto read = Rules::fromYaml(pddl::readFile(name).text, name);
+  EXPECT_EQ(read->rules().size(), 1U);
+  EXPECT_EQ(read->regions().size(), 4U);
+}
+
 TEST(Rules, AFewBytesCannotBecomeTooMuchWork) {
   std::string text = "frames: {o0: f";
   std::string list = "[o0";
