@@ -7,6 +7,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 
@@ -79,9 +80,41 @@ AlignResult resultOf(AlignClient& client, TaskStory& story, const AlignGoal& goa
   return *result;
 }
 
+/// Hears how the goals of others end, such as one by which a panel takes up an alternative.
+class Plans {
+ public:
+  explicit Plans(ros::NodeHandle& node)
+      : results_(node.subscribe(std::string(ros_interface::kAlignerAlignAction) + "/result", 10,
+                                &Plans::hear, this)) {}
+
+  /// Waits until a goal of the session has ended with a plan.
+  AlignResult await(const std::string& session_id) const {
+    while (goesOn()) {
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (newest_.session_id == session_id) return newest_;
+      }
+      ros::WallDuration(kPollPeriod).sleep();
+    }
+    throw std::runtime_error("interrupted");
+  }
+
+ private:
+  void hear(const AlignActionResult::ConstPtr& end) {
+    if (end->result.outcome != AlignResult::SUCCESS) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    newest_ = end->result;
+  }
+
+  mutable std::mutex mutex_;
+  AlignResult newest_;
+  ros::Subscriber results_;
+};
+
 // Where not all that is wanted can be had, the likeliest alternative is taken up: the same session,
-// nothing is asked again.
-Plan align(ros::NodeHandle& node, TaskStory& story, const HumanTask& task) {
+// nothing is asked again. Unless it `settles` for that, somebody else has to choose.
+Plan align(ros::NodeHandle& node, TaskStory& story, const HumanTask& task, bool settles) {
+  const Plans plans(node);
   const boost::function<void(const AlignmentState::ConstPtr&)> hear_state =
       [&story](const AlignmentState::ConstPtr& state) { story.hear(*state); };
   const ros::Subscriber states =
@@ -94,6 +127,12 @@ Plan align(ros::NodeHandle& node, TaskStory& story, const HumanTask& task) {
   goal.max_questions = -1;
   AlignResult result = resultOf(client, story, goal);
   while (result.outcome == AlignResult::EXPECTATION_UNACHIEVABLE && !result.alternatives.empty()) {
+    if (!settles) {
+      story.awaitChoice();
+      result = plans.await(result.session_id);
+      story.hear(result);
+      break;
+    }
     const AlternativeGoal& alternative = result.alternatives.front();
     story.takeUp(alternative);
     goal.continue_session = result.session_id;
@@ -141,7 +180,7 @@ void run() {
   spinner.start();
   story.begin(task);
   waitForClock();
-  execute(node, story, align(node, story, task));
+  execute(node, story, align(node, story, task, private_node.param("settles", true)));
   spinner.stop();
 }
 

@@ -104,6 +104,12 @@ void TaskStory::takeUp(const AlternativeGoal& alternative) {
   has_ended_ = false;
 }
 
+void TaskStory::awaitChoice() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  out_ << "\nIt goes on when somebody chooses one of the alternatives.\n" << std::flush;
+  has_ended_ = false;
+}
+
 void TaskStory::tellDialogue() {
   if (session_.empty() || state_.session_id != session_) return;
   tellBreak();

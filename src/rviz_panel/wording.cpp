@@ -103,7 +103,7 @@ QString phaseLine(const AlignmentState& state) {
 }
 
 QString titleOf(const AlignmentState& state) {
-  const QString task = sentence(QString::fromStdString(state.task_id));
+  const QString task = sentence(QString::fromStdString(state.task_id).replace('_', ' '));
   const QString person = QString::fromStdString(state.person);
   if (task.isEmpty() && person.isEmpty()) return {};
   if (person.isEmpty()) return task;

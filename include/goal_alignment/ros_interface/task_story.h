@@ -33,6 +33,8 @@ class TaskStory {
   void hear(const AlignResult& result);
   /// After a result without a plan the person settles for this; another result will follow.
   void takeUp(const AlternativeGoal& alternative);
+  /// After a result without a plan it is left to somebody else what to settle for.
+  void awaitChoice();
   void hearStep(const Plan& plan, std::size_t index);
   /// Why the plan under way is given up for another.
   void hearTrouble(const std::string& reason);
