@@ -15,7 +15,7 @@ from goal_alignment.msg import (AlignAction, AlignGoal, AlignResult, ExecutePlan
 def result_of(name, action, goal):
     client = actionlib.SimpleActionClient(name, action)
     client.wait_for_server()
-    rospy.on_shutdown(client.cancel_goal)
+    rospy.on_shutdown(lambda: client.get_result() or client.cancel_goal())
     client.send_goal_and_wait(goal)
     return client.get_result()
 
