@@ -87,6 +87,11 @@ RowTable::RowTable(const QString& placeholder, QWidget* parent)
   horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 }
 
+void RowTable::setPlaceholder(const QString& placeholder) {
+  placeholder_ = placeholder;
+  viewport()->update();
+}
+
 void RowTable::paintEvent(QPaintEvent* event) {
   QTableView::paintEvent(event);
   if (model() != nullptr && model()->rowCount() > 0) return;
@@ -199,6 +204,10 @@ PlanTable::PlanTable(QWidget* parent) : RowTable(QStringLiteral("No plan yet"), 
   header->setSectionResizeMode(QHeaderView::Fixed);
   header->setSectionResizeMode(PlanModel::Text, QHeaderView::Stretch);
   header->resizeSection(PlanModel::Mark, widthOf(*this, QStringLiteral("888")));
+  connect(&steps_, &PlanModel::modelReset, this, [this] {
+    setPlaceholder(steps_.plan().plan_id > 0 ? QStringLiteral("Nothing to do: all is so already")
+                                             : QStringLiteral("No plan yet"));
+  });
   connect(&steps_, &PlanModel::dataChanged, this, [this] {
     if (steps_.runningStep() >= 0) scrollTo(steps_.index(steps_.runningStep(), 0));
   });

@@ -18,6 +18,9 @@ class RowTable : public QTableView {
 
  public:
   explicit RowTable(const QString& placeholder, QWidget* parent = nullptr);
+  /// What is written where there are no rows.
+  const QString& placeholder() const { return placeholder_; }
+  void setPlaceholder(const QString& placeholder);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -15,6 +15,7 @@
 #include "goal_alignment/AlignResult.h"
 #include "goal_alignment/Answer.h"
 #include "messages.h"
+#include "rviz_panel/tables.h"
 
 namespace goal_alignment::rviz_panel {
 namespace {
@@ -260,6 +261,16 @@ TEST_F(View, thePlanShowsItsStepInExecution) {
   result.reason = "the cup slipped";
   view_.endExecution(result);
   EXPECT_TRUE(textOf("plan_note").contains("the cup slipped"));
+}
+
+TEST_F(View, aPlanWithoutStepsIsAPlan) {
+  auto state = stateWith(3);
+  state->phase = AlignmentState::DONE;
+  state->outcome = AlignResult::SUCCESS;
+  show(state);
+  EXPECT_EQ(find<RowTable>("plan")->placeholder(), "No plan yet");
+  view_.showPlan(planOf(0));
+  EXPECT_EQ(find<RowTable>("plan")->placeholder(), "Nothing to do: all is so already");
 }
 
 TEST_F(View, aPlanOfAnEarlierSessionIsNotShown) {
