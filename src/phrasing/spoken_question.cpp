@@ -18,8 +18,8 @@ std::string spoken(const Vocabulary& vocabulary, const std::string& text,
 
 }  // namespace
 
-SpokenQuestion::SpokenQuestion(const Vocabulary& vocabulary, std::string text, std::string why,
-                               std::vector<std::string> offered, int retries)
+SpokenQuestion::SpokenQuestion(const Vocabulary& vocabulary, const std::string& text,
+                               std::string why, std::vector<std::string> offered, int retries)
     : vocabulary_(vocabulary),
       asked_(spoken(vocabulary, text, offered)),
       why_(std::move(why)),

@@ -27,16 +27,16 @@ class VocabularyReader : private TemplateReader {
   using Words = Vocabulary::Words;
 
   static std::optional<Meaning> meaningCalled(const std::string& section) {
-    static const std::map<std::string, Meaning> all = {{"yes", Meaning::Yes},
-                                                       {"no", Meaning::No},
-                                                       {"dont_know", Meaning::DontKnow},
-                                                       {"decline", Meaning::Decline},
-                                                       {"repeat", Meaning::Repeat},
-                                                       {"why", Meaning::Why},
-                                                       {"all", Meaning::All},
-                                                       {"none", Meaning::None}};
-    const auto found = all.find(section);
-    return found == all.end() ? std::nullopt : std::optional(found->second);
+    static const std::map<std::string, Meaning> kMeanings = {{"yes", Meaning::Yes},
+                                                             {"no", Meaning::No},
+                                                             {"dont_know", Meaning::DontKnow},
+                                                             {"decline", Meaning::Decline},
+                                                             {"repeat", Meaning::Repeat},
+                                                             {"why", Meaning::Why},
+                                                             {"all", Meaning::All},
+                                                             {"none", Meaning::None}};
+    const auto found = kMeanings.find(section);
+    return found == kMeanings.end() ? std::nullopt : std::optional(found->second);
   }
 
   void readSections(const YAML::Node& root) {

@@ -15,7 +15,7 @@ namespace goal_alignment::phrasing {
 class SpokenQuestion {
  public:
   /// `text` asks about all of `offered`, `why` may be empty. `vocabulary` outlives this.
-  SpokenQuestion(const Vocabulary& vocabulary, std::string text, std::string why,
+  SpokenQuestion(const Vocabulary& vocabulary, const std::string& text, std::string why,
                  std::vector<std::string> offered, int retries);
 
   /// What the person's words lead to.
