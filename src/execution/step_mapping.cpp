@@ -145,7 +145,7 @@ class MappingReader : private YamlReader {
     if (const auto duration = node["duration"])
       rule.duration = number(duration, "a number", 0, kLongestStep);
     if (const auto facts = node["failure_facts"]) {
-      if (!facts.IsSequence()) expect(facts, "a list of texts such as \"(not (open {door}))\"");
+      expectList(facts, "a list of texts such as \"(not (open {door}))\"");
       rule.failure_facts.clear();
       for (const auto& fact : facts) {
         text(fact, "a text such as \"(not (open {door}))\"");
@@ -210,7 +210,7 @@ class MappingReader : private YamlReader {
       rule.failure_probability = number(probability, "a number", 0, 1);
     const YAML::Node moves = node["moves"];
     if (!isGiven(moves)) return;
-    if (!moves.IsSequence()) expect(moves, "a list of moves {frame, to, parent}");
+    expectList(moves, "a list of moves {frame, to, parent}");
     rule.moves.clear();
     for (const auto& move : moves) {
       checkMap(move, "a map of frame, to and parent", {"frame", "to", "parent"});

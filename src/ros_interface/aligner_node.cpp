@@ -92,7 +92,7 @@ void AlignerNode::nudgeSolver() {
 }
 
 // A faulty parameter is told at the start, though only the next goal would be refused for it. And
-// tf is heard from now on, so that it is known by then.
+// the rules of tf count from now on, so that ~get_facts can tell of them.
 void AlignerNode::checkParameters() {
   try {
     tf_.follow(rulesOf(NodeOptions::read(private_node_).tf_facts));

@@ -22,7 +22,7 @@ constexpr std::size_t kMostShapes = 1000;
 std::vector<double> numbers(const YamlReader& reader, const YAML::Node& node,
                             const std::string& what, double low, double high) {
   std::vector<double> result;
-  if (!node.IsSequence()) reader.fail(node.Mark(), what, YamlReader::describe(node));
+  reader.expectList(node, what);
   for (const auto& item : node)
     result.push_back(reader.number(item, what, low, high));
   return result;

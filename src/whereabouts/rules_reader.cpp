@@ -94,7 +94,7 @@ class RulesReader : private YamlReader {
   }
 
   void readRules(const YAML::Node& node) {
-    if (!node.IsSequence()) fail(node.Mark(), "a list of rules", describe(node));
+    expectList(node, "a list of rules");
     if (node.size() > kMostRules)
       fail(node.Mark(), fmt::format("at most {} rules", kMostRules),
            fmt::format("{}", node.size()));
