@@ -99,7 +99,8 @@ std::filesystem::path instances() {
   if (const char* shared = std::getenv("GOAL_ALIGNMENT_SHARED")) {
     return fs::path(shared) / "benchmarks/hagl-ipc";
   }
-  return (fs::path(__FILE__).parent_path() / "../../shared/benchmarks/hagl-ipc").lexically_normal();
+  const fs::path root = GOAL_ALIGNMENT_SOURCE_ROOT;
+  return (root / "../shared/benchmarks/hagl-ipc").lexically_normal();
 }
 
 Situation readConflicts(const std::filesystem::path& file, double probability) {

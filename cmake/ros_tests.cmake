@@ -8,6 +8,9 @@ file(GLOB ros_unit_tests CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/test/unit/execution/*_test.cpp)
 catkin_add_gtest(goal_alignment_ros_unit_tests ${ros_unit_tests})
 goal_alignment_ros_target(goal_alignment_ros_unit_tests)
+target_include_directories(goal_alignment_ros_unit_tests PRIVATE ${PROJECT_SOURCE_DIR}/test)
+target_compile_definitions(goal_alignment_ros_unit_tests PRIVATE
+  GOAL_ALIGNMENT_SOURCE_ROOT="${PROJECT_SOURCE_DIR}")
 target_link_libraries(goal_alignment_ros_unit_tests
   goal_alignment_execution goal_alignment_ros GTest::gtest_main)
 

@@ -20,4 +20,4 @@ target_precompile_headers(goal_alignment_unit_tests PRIVATE <gtest/gtest.h> <rap
 # The command line is tested as what it is, a program.
 add_dependencies(goal_alignment_unit_tests hagl)
 target_compile_definitions(goal_alignment_unit_tests PRIVATE
-  HAGL_PROGRAM="$<TARGET_FILE:hagl>")
+  HAGL_PROGRAM="$<TARGET_FILE:hagl>" GOAL_ALIGNMENT_SOURCE_ROOT="${PROJECT_SOURCE_DIR}")

@@ -10,6 +10,7 @@
 
 #include "goal_alignment/pddl/source_position.h"
 #include "targets.h"
+#include "unit/source_root.h"
 
 namespace goal_alignment::fuzz {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 using Target = void (*)(std::string_view);
 
 std::vector<std::filesystem::path> corpus(const std::string& folder) {
-  const auto root = std::filesystem::path(__FILE__).parent_path() / "corpus" / folder;
+  const auto root = sourceRoot() / "test/fuzz/corpus" / folder;
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(root))
     files.push_back(entry.path());

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "goal_alignment/pddl/parser.h"
+#include "unit/source_root.h"
 
 /// The benchmarks live outside the repository: `$GOAL_ALIGNMENT_SHARED/benchmarks`, or the folder
 /// `shared` beside this source tree.
@@ -17,8 +18,7 @@ inline std::filesystem::path benchmarks() {
   if (const char* shared = std::getenv("GOAL_ALIGNMENT_SHARED")) {
     return fs::path(shared) / "benchmarks";
   }
-  const fs::path source_dir = fs::path(__FILE__).parent_path() / "../..";
-  return (source_dir / "../shared/benchmarks").lexically_normal();
+  return (sourceRoot() / "../shared/benchmarks").lexically_normal();
 }
 
 inline pddl::Source readBenchmark(const std::filesystem::path& path) {

@@ -11,6 +11,7 @@
 #include "goal_alignment/cli/instance.h"
 #include "goal_alignment/grounding/grounder.h"
 #include "goal_alignment/pddl/parser.h"
+#include "unit/source_root.h"
 
 namespace goal_alignment::benchmarks {
 namespace {
@@ -119,8 +120,7 @@ TEST(HomeAlignment, isSoundAtAnySizeAndFollowsFromTheSeed) {
 TEST(HomeAlignment, speaksOfTheHomesDomains) {
   RandomSource random(1);
   const session::Input input = homeAlignment(8, {}, random).input();
-  const auto folder =
-      std::filesystem::path(__FILE__).parent_path() / "../../../config/domains/home";
+  const auto folder = sourceRoot() / "config/domains/home";
   EXPECT_EQ(input.robot_domain.text, pddl::readFile((folder / "robot_domain.pddl").string()).text);
   EXPECT_EQ(input.human_domain.text, pddl::readFile((folder / "human_domain.pddl").string()).text);
 }

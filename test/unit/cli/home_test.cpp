@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
-#include <filesystem>
 #include <map>
 #include <ostream>
 #include <string>
@@ -13,6 +12,7 @@
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/pddl/parser.h"
 #include "program.h"
+#include "unit/source_root.h"
 
 namespace goal_alignment::cli {
 namespace {
@@ -36,8 +36,7 @@ struct HomeTask {
 };
 
 std::string homeFolder() {
-  const std::filesystem::path root = std::filesystem::path(__FILE__).parent_path() / "../../..";
-  return std::filesystem::canonical(root / "config/domains/home").string();
+  return (sourceRoot() / "config/domains/home").string();
 }
 
 // The options that say what the task's node parameters do.
@@ -72,8 +71,8 @@ class Home : public testing::TestWithParam<HomeTask> {
   void expectValid(const json& plan) const {
     const Folder scratch;
     std::string text;
-    for (const std::string& step : plan)
-      text += step + "\n";
+    for (const auto& step : plan)
+      text += step.get<std::string>() + "\n";
     scratch.write("plan.txt", text);
     const InstanceFiles files = InstanceFiles::of(folder_);
     const Ended ended =
@@ -138,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
                  2,
                  {{"(given reading-glasses grace)", "no"}, {"(on car-keys hall-table)", "no"}}},
         HomeTask{"lay_table", 1, 1, {{"(on crystal-glasses dining-table)", "no"}}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& task) { return task.param.name; });
 
 TEST(HomeAlternatives, TheBestOneIsThatGraceComesDown) {
   const Ended ended = hagl({"align", homeFolder() + "/evening_tablets", "--json"});

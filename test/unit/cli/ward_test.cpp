@@ -2,10 +2,10 @@
 // What doc/tutorial.md shows of config/domains/ward.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 
 #include "program.h"
+#include "unit/source_root.h"
 
 namespace goal_alignment::cli {
 namespace {
@@ -14,8 +14,7 @@ using nlohmann::json;
 using samples::hagl;
 
 std::string ward(const std::string& file = "") {
-  const std::filesystem::path root = std::filesystem::path(__FILE__).parent_path() / "../../..";
-  return (std::filesystem::canonical(root / "config/domains/ward") / file).string();
+  return (sourceRoot() / "config/domains/ward" / file).string();
 }
 
 TEST(Ward, ThePersonsPlanIsValidForThemAndNotForTheRobot) {

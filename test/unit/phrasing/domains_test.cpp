@@ -2,12 +2,12 @@
 // The phrase files of config/domains against the models that they speak of.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/phrasing/phrases.h"
+#include "unit/source_root.h"
 
 namespace goal_alignment::phrasing {
 namespace {
@@ -22,8 +22,8 @@ struct Spoken {
 class DomainPhrases : public testing::TestWithParam<Spoken> {
  protected:
   static pddl::Source file(const std::string& name) {
-    const std::filesystem::path root = std::filesystem::path(__FILE__).parent_path() / "../../..";
-    return pddl::readFile((root / "config/domains" / GetParam().domain / name).string());
+    const auto folder = sourceRoot() / "config/domains" / GetParam().domain;
+    return pddl::readFile((folder / name).string());
   }
 
   Phrases phrases_ = Phrases::fromYaml(file("phrases.yaml").text, "phrases.yaml");
@@ -74,10 +74,10 @@ std::vector<Spoken> spoken() {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothModels, DomainPhrases, testing::ValuesIn(spoken()),
-                         [](const auto& info) {
+                         [](const auto& spoken) {
                            const std::string task =
-                               info.param.task == "." ? info.param.domain : info.param.task;
-                           return task + "_" + info.param.side;
+                               spoken.param.task == "." ? spoken.param.domain : spoken.param.task;
+                           return task + "_" + spoken.param.side;
                          });
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "goal_alignment/pddl/source_position.h"
 #include "goal_alignment/phrasing/phrases.h"
 #include "goal_alignment/phrasing/spoken_question.h"
+#include "unit/source_root.h"
 
 namespace goal_alignment::phrasing {
 namespace {
@@ -18,9 +18,8 @@ namespace {
 using Kind = Reply::Kind;
 
 Vocabulary vocabularyOf(const std::string& file) {
-  const std::filesystem::path root = std::filesystem::path(__FILE__).parent_path() / "../../..";
-  return Vocabulary::fromYaml(pddl::readFile((root / "config/vocabulary" / file).string()).text,
-                              file);
+  const auto path = sourceRoot() / "config/vocabulary" / file;
+  return Vocabulary::fromYaml(pddl::readFile(path.string()).text, file);
 }
 
 const Vocabulary& english() {

@@ -12,12 +12,13 @@
 #include "goal_alignment/pddl/parser.h"
 #include "goal_alignment/pddl/source_position.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
+#include "unit/source_root.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
 
 std::vector<std::string> taskFolders() {
-  const auto root = std::filesystem::path(__FILE__).parent_path() / "../../../config/domains";
+  const auto root = sourceRoot() / "config/domains";
   std::vector<std::string> folders = {(root / "tea").string(), (root / "ward").string()};
   for (const auto& entry : std::filesystem::directory_iterator(root / "home"))
     if (entry.is_directory()) folders.push_back(entry.path().string());

@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "goal_alignment/common/yaml_reader.h"
 #include "samples.h"
+#include "unit/source_root.h"
 
 namespace goal_alignment::whereabouts {
 namespace {
@@ -176,8 +175,8 @@ TEST(Rules, FaultsOfARule) {
 }
 
 TEST(Rules, OfTheExampleCanBeRead) {
-  const auto root = std::filesystem::path(__FILE__).parent_path() / "../../..";
-  const pddl::Source example = pddl::readFile((root / "config/tf_facts.yaml").string());
+  const std::string name = (sourceRoot() / "config/tf_facts.yaml").string();
+  const pddl::Source example = pddl::readFile(name);
   const auto read = Rules::fromYaml(example.text, example.name);
   EXPECT_EQ(read->rules().size(), 4U);
   EXPECT_EQ(read->regions().size(), 4U);
@@ -185,8 +184,8 @@ TEST(Rules, OfTheExampleCanBeRead) {
 }
 
 TEST(Rules, OfTheTutorialCanBeRead) {
-  const auto root = std::filesystem::path(__FILE__).parent_path() / "../../..";
-  const std::string name = (root / "config/domains/ward/tf_facts.yaml").string();
+  const auto path = sourceRoot() / "config/domains/ward/tf_facts.yaml";
+  const std::string name = path.string();
   const auto read = Rules::fromYaml(pddl::readFile(name).text, name);
   EXPECT_EQ(read->rules().size(), 1U);
   EXPECT_EQ(read->regions().size(), 4U);
