@@ -17,8 +17,9 @@ ast::Domain parse(const std::string& text) {
   return parseDomain({"d.pddl", text});
 }
 
-ast::Action action(const std::string& body) {
-  return parse("(define (domain d) (:action a " + body + "))").actions.at(0);
+samples::Held<ast::Action> action(const std::string& body) {
+  const ast::Domain domain = parse("(define (domain d) (:action a " + body + "))");
+  return samples::held(domain.actions.at(0), domain.source);
 }
 
 TEST(DomainParser, ReadsEverySection) {
@@ -39,7 +40,8 @@ TEST(DomainParser, ReadsEverySection) {
 }
 
 TEST(DomainParser, ReadsAnAction) {
-  const ast::Action move = parse(kTeaDomain).actions.at(2);
+  const ast::Domain domain = parse(kTeaDomain);
+  const ast::Action& move = domain.actions.at(2);
   ASSERT_EQ(move.parameters.size(), 3U);
   EXPECT_EQ(move.parameters[1].type->spelling, "place");
   ASSERT_EQ(move.precondition.size(), 3U);
@@ -50,7 +52,7 @@ TEST(DomainParser, ReadsAnAction) {
   EXPECT_TRUE(move.effect[0].negated);
   ASSERT_TRUE(move.cost && move.cost->function);
   EXPECT_EQ(move.cost->function->terms.size(), 2U);
-  EXPECT_EQ(parse(kTeaDomain).actions.at(0).cost->constant, 5);
+  EXPECT_EQ(domain.actions.at(0).cost->constant, 5);
 }
 
 TEST(DomainParser, ABareDomainIsEnough) {
@@ -84,7 +86,7 @@ TEST(DomainParser, ATrueConditionHasManyForms) {
 }
 
 TEST(DomainParser, ConjunctionsAreFlattened) {
-  const ast::Action nested =
+  const auto nested =
       action(":precondition (and (p) (and (q) (and (not (r)))) (s)) :effect (and (and (p)) (q))");
   ASSERT_EQ(nested.precondition.size(), 4U);
   EXPECT_TRUE(nested.precondition[2].literal.negated);

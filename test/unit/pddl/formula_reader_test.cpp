@@ -11,16 +11,22 @@ namespace {
 
 using Kind = ast::Formula::Kind;
 
-ast::Action action(const std::string& body) {
-  return parseDomain({"d.pddl", "(define (domain d) (:action a " + body + "))"}).actions.at(0);
+using samples::held;
+using samples::Held;
+
+Held<ast::Action> action(const std::string& body) {
+  const ast::Domain domain =
+      parseDomain({"d.pddl", "(define (domain d) (:action a " + body + "))"});
+  return held(domain.actions.at(0), domain.source);
 }
 
-ast::Formula precondition(const std::string& text) {
-  return action(":precondition " + text).precondition.at(0);
+Held<ast::Formula> precondition(const std::string& text) {
+  const auto read = action(":precondition " + text);
+  return held(read.precondition.at(0), read.source);
 }
 
 TEST(FormulaReader, ReadsEveryConnective) {
-  const ast::Formula either = precondition("(or (p) (not (q)) (and (p) (q)))");
+  const auto either = precondition("(or (p) (not (q)) (and (p) (q)))");
   EXPECT_EQ(either.kind, Kind::Or);
   ASSERT_EQ(either.parts.size(), 3U);
   EXPECT_TRUE(either.parts[1].literal.negated);
@@ -32,7 +38,7 @@ TEST(FormulaReader, ReadsEveryConnective) {
 }
 
 TEST(FormulaReader, ReadsQuantifiers) {
-  const ast::Formula all = precondition("(forall (?x ?y - t) (exists (?z - (either t u)) (p ?z)))");
+  const auto all = precondition("(forall (?x ?y - t) (exists (?z - (either t u)) (p ?z)))");
   EXPECT_EQ(all.kind, Kind::ForAll);
   ASSERT_EQ(all.variables.size(), 2U);
   EXPECT_EQ(all.variables[0].type->spelling, "t");
@@ -50,7 +56,7 @@ TEST(FormulaReader, OnlyBelowAQuantifierAGoalHasVariables) {
 }
 
 TEST(FormulaReader, EffectsKeepTheirNesting) {
-  const ast::Action read =
+  const auto read =
       action(":effect (and (p) (forall (?x) (and (q ?x) (when (p) (not (q ?x))))) (when () (r)))");
   EXPECT_EQ(read.effect.size(), 1U);
   ASSERT_EQ(read.conditional.size(), 2U);

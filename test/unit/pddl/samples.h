@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "goal_alignment/pddl/exceptions.h"
@@ -39,6 +40,17 @@ inline const std::string kTeaProblem = R"((define (problem two-cups)
     (= (total-cost) 0) (= (way shelf table) 3) (= (way table shelf) 4))
   (:goal (and (full mug) (not (hot pot))))
   (:metric minimize (total-cost))))";
+
+/// A part of an ast, with the text that its names point into.
+template <typename Part>
+struct Held : Part {
+  std::shared_ptr<const Source> source;
+};
+
+template <typename Part>
+Held<Part> held(const Part& part, const std::shared_ptr<const Source>& source) {
+  return {part, source};
+}
 
 inline Model tea() {
   return readModel({"tea.pddl", kTeaDomain}, {"two-cups.pddl", kTeaProblem});
