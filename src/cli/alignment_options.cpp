@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "goal_alignment/cli/commands.h"
 #include "goal_alignment/questions/policy.h"
 
 namespace goal_alignment::cli {
@@ -51,8 +50,6 @@ alignment::BeliefOptions beliefOptions(const AlignmentWords& words) {
 }
 
 }  // namespace
-
-NotYet::NotYet(const std::string& what) : CLI::RuntimeError(what + " is not supported yet", 2) {}
 
 void AlignmentWords::add(CLI::App& command) {
   command.add_option("--seed", seed, "breaks ties");

@@ -25,15 +25,10 @@ int main(int argc, char** argv) {
   cli::addPlanCommand(app, run);
   cli::addValidateCommand(app, run);
   cli::addBenchCommand(app, run);
-  app.add_subcommand("perturb", "make a human model from a domain")->allow_extras()->callback([] {
-    throw cli::NotYet("perturb");
-  });
+  cli::addPerturbCommand(app, run);
   try {
     app.parse(argc, argv);
     return run();
-  } catch (const cli::NotYet& not_yet) {
-    std::cerr << "hagl: " << not_yet.what() << '\n';
-    return kUsageError;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kUsageError;
   } catch (const std::invalid_argument& out_of_range) {

@@ -34,7 +34,7 @@ struct AlignmentWords {
   /// Adds the options that `align` and `bench` share, but for the policy.
   void add(CLI::App& command);
 
-  /// Throws CLI::ValidationError or NotYet.
+  /// Throws CLI::ValidationError.
   session::Options options() const;
 };
 

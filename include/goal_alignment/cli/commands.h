@@ -14,13 +14,7 @@ void addAlignCommand(CLI::App& app, Run& run);
 void addConflictsCommand(CLI::App& app, Run& run);
 void addPlanCommand(CLI::App& app, Run& run);
 void addValidateCommand(CLI::App& app, Run& run);
+void addPerturbCommand(CLI::App& app, Run& run);
 void addBenchCommand(CLI::App& app, Run& run);
-
-/// Words of the command line that belong to a capability this version does not have yet. Says so
-/// and makes the program exit with 2.
-class NotYet : public CLI::RuntimeError {
- public:
-  explicit NotYet(const std::string& what);
-};
 
 }  // namespace goal_alignment::cli

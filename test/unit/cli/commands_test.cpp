@@ -52,6 +52,12 @@ TEST(Usage, ErrorsExitWithTwo) {
       {"plan", dir + "/robot_domain.pddl"},
       {"plan", dir + "/robot_domain.pddl", dir + "/nowhere.pddl"},
       {"validate", dir + "/robot_domain.pddl", dir + "/robot_problem.pddl"},
+      {"perturb"},
+      {"perturb", dir + "/nowhere.pddl"},
+      {"perturb", dir + "/human_plan.txt"},
+      {"perturb", dir + "/robot_domain.pddl", "--preconditions", "1000"},
+      {"perturb", dir + "/robot_domain.pddl", "--deletes", "-1"},
+      {"perturb", dir + "/robot_domain.pddl", "-o", dir + "/nowhere/human.pddl"},
       {"bench"},
       {"bench", dir + "/nowhere"},
       {"bench", dir, "--runs", "0"},
@@ -72,22 +78,30 @@ TEST(Usage, ErrorsExitWithTwo) {
   }
 }
 
-TEST(Usage, WhatIsToComeSaysSo) {
-  const Folder folder;
-  writeDesk(folder, "(down b)\n");
-  const std::string dir = folder.path();
-  const std::vector<std::vector<std::string>> not_yet = {{"perturb", "d.pddl", "--seed", "1"}};
-  for (const auto& arguments : not_yet) {
-    const Ended ended = hagl(arguments);
-    EXPECT_EQ(ended.status, 2) << arguments.back();
-    EXPECT_NE(ended.err.find("not supported yet"), std::string::npos) << ended.err;
-    EXPECT_EQ(ended.out, "");
-  }
-}
-
 TEST(Usage, HelpIsNoError) {
   EXPECT_EQ(hagl({"--help"}).status, 0);
   EXPECT_EQ(hagl({"align", "--help"}).status, 0);
+}
+
+TEST(Perturb, AlignsARobotWithAPersonWhoHasForgottenSome) {
+  const Folder folder;
+  writeDesk(folder, "(down b)\n");
+  const std::vector<std::string> words = {"perturb", folder / "robot_domain.pddl", "--seed", "3",
+                                          "--preconditions", "1", "--deletes", "0"};
+  const Ended shown = hagl(words);
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_EQ(shown.err.find("forgotten: precondition ("), 0U) << shown.err;
+  EXPECT_NE(shown.out, folder.read("robot_domain.pddl"));
+
+  std::vector<std::string> into_file = words;
+  into_file.insert(into_file.end(), {"-o", folder / "human_domain.pddl"});
+  const Ended written = hagl(into_file);
+  EXPECT_EQ(written.status, 0);
+  EXPECT_EQ(written.out, "");
+  EXPECT_EQ(written.err, shown.err);
+  EXPECT_EQ(folder.read("human_domain.pddl"), shown.out);
+  // Who has forgotten a precondition can still do what can be done.
+  EXPECT_EQ(hagl({"plan", folder / "human_domain.pddl", folder / "human_problem.pddl"}).status, 0);
 }
 
 TEST(Conflicts, AreListedSortedAndComplete) {
