@@ -125,7 +125,7 @@ TEST(Markers, coloursTellStatesApart) {
                           Candidate::NOT_WANTED, Candidate::SETTLED}) {
     AlignmentState message;
     message.candidates = {candidate("a", {"table"}, state)};
-    const auto& colour = texts(markersOf(message, Plan{}, kitchen())).at(0).color;
+    const auto colour = texts(markersOf(message, Plan{}, kitchen())).at(0).color;
     colours.insert({colour.r, colour.g, colour.b});
   }
   EXPECT_EQ(colours.size(), 5U);
