@@ -237,7 +237,12 @@ class FakeServices {
       : door_(node.advertiseService("/door/front/open", &FakeServices::open, this)),
         slow_(node.advertiseService("/slow", &FakeServices::wait, this)),
         ask_(node.advertiseService("/ask", &FakeServices::ask, this)) {}
-  ~FakeServices() { released = true; }
+  // roscpp drops a service that is still answering.
+  ~FakeServices() {
+    released = true;
+    slow_.shutdown();
+    eventually([this] { return inside == 0; });
+  }
 
   bool open(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
     ++calls;
@@ -247,8 +252,10 @@ class FakeServices {
     return !throws;
   }
   bool wait(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& /*response*/) {
+    ++inside;
     ++waiting;
     eventually([this] { return released.load(); }, 60);
+    --inside;
     return true;
   }
   bool ask(AskHuman::Request& request, AskHuman::Response& response) {
@@ -259,6 +266,7 @@ class FakeServices {
 
   std::atomic<int> calls{0};
   std::atomic<int> waiting{0};
+  std::atomic<int> inside{0};
   std::atomic<bool> released{false};
   std::atomic<bool> asked{false};
   std::atomic<bool> opens{true};
