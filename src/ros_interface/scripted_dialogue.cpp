@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 #include <ros/console.h>
-#include <yaml-cpp/yaml.h>
 
 #include <chrono>
 #include <stdexcept>
 #include <vector>
 
+#include "goal_alignment/common/yaml_reader.h"
 #include "goal_alignment/pddl/parser.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
 #include "goal_alignment/ros_interface/node_constants.h"
@@ -24,20 +24,29 @@ bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-std::vector<std::string> textsOfYaml(const std::string& file) {
-  try {
-    YAML::Node root = YAML::LoadFile(file);
-    if (root.IsMap()) root = root["true_goal"];
-    return root.as<std::vector<std::string>>();
-  } catch (const YAML::Exception& error) {
-    throw std::runtime_error(fmt::format("{}: expected a list of fluents: {}", file, error.what()));
-  }
+// A list, alone or under the key `true_goal`.
+std::vector<Literal> literalsOfYaml(const pddl::Source& source) {
+  const YamlReader reader(source.name);
+  std::vector<Literal> literals;
+  reader.load(source.text, [&](const YAML::Node& root) {
+    YAML::Node list = root;
+    if (root.IsMap()) list.reset(reader.fields(root, "a map", {"true_goal"})["true_goal"]);
+    reader.expectList(list, "a list of fluents");
+    for (const YAML::Node& entry : list) {
+      try {
+        literals.push_back(Literal::parse(reader.text(entry, "a fluent such as (on a b)")));
+      } catch (const std::invalid_argument& error) {
+        reader.failAt(entry.Mark(), error.what());
+      }
+    }
+  });
+  return literals;
 }
 
 TrueGoal readTrueGoalFile(const std::string& file) {
   const bool yaml = endsWith(file, ".yaml") || endsWith(file, ".yml");
-  const std::vector<Literal> literals =
-      yaml ? toLiterals(textsOfYaml(file)) : pddl::parseLiterals(pddl::readFile(file));
+  const pddl::Source source = pddl::readFile(file);
+  const std::vector<Literal> literals = yaml ? literalsOfYaml(source) : pddl::parseLiterals(source);
   return {literals.begin(), literals.end()};
 }
 

@@ -1,62 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/ros_interface/task_file.h"
 
-#include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
-
+#include <functional>
 #include <stdexcept>
-#include <vector>
 
 #include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/yaml_reader.h"
 #include "goal_alignment/pddl/source_position.h"
 #include "goal_alignment/ros_interface/package_files.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
 
-using Texts = std::vector<std::string>;
+constexpr const char* kWhat = "a map with task_id, person, goal and plan";
 
-HumanTask taskOf(const YAML::Node& root) {
-  HumanTask task;
-  task.task_id = root["task_id"].as<std::string>("");
-  task.person = root["person"].as<std::string>("");
-  // as() would take its default for a node of the wrong type, too.
-  const auto list = [&](const char* key) {
-    return root[key] && !root[key].IsNull() ? root[key].as<Texts>() : Texts{};
-  };
-  for (const std::string& text : list("goal")) {
-    const Literal literal = Literal::parse(text);
-    Fluent fluent;
-    fluent.name = literal.atom.name;
-    fluent.args = literal.atom.arguments;
-    fluent.negated = literal.negated;
-    task.goal.push_back(fluent);
+class TaskReader {
+ public:
+  explicit TaskReader(const std::string& source_name) : reader_(source_name) {}
+
+  HumanTask read(const std::string& text) {
+    bool empty = true;
+    reader_.load(text, [&](const YAML::Node& root) {
+      empty = false;
+      fields_ = reader_.fields(root, kWhat, {"task_id", "person", "goal", "plan"});
+      task_.task_id = word("task_id");
+      task_.person = word("person");
+      readList("goal", "a fluent such as (on a b)", [this](const std::string& fluent) {
+        const Literal literal = Literal::parse(fluent);
+        Fluent& message = task_.goal.emplace_back();
+        message.name = literal.atom.name;
+        message.args = literal.atom.arguments;
+        message.negated = literal.negated;
+      });
+      readList("plan", "an action such as (go hall kitchen)", [this](const std::string& action) {
+        const GroundName ground = GroundName::parse(action);
+        PlanStep& message = task_.plan.emplace_back();
+        message.name = ground.name;
+        message.args = ground.arguments;
+      });
+    });
+    if (empty) reader_.fail({}, kWhat, "nothing");
+    return task_;
   }
-  for (const std::string& text : list("plan")) {
-    const GroundName action = GroundName::parse(text);
-    PlanStep step;
-    step.name = action.name;
-    step.args = action.arguments;
-    task.plan.push_back(step);
+
+ private:
+  std::string word(const std::string& key) const {
+    const auto found = fields_.find(key);
+    return found == fields_.end() ? "" : reader_.text(found->second, key);
   }
-  return task;
-}
+
+  void readList(const std::string& key, const std::string& what,
+                const std::function<void(const std::string&)>& take) const {
+    const auto found = fields_.find(key);
+    if (found == fields_.end()) return;
+    reader_.expectList(found->second, "a list");
+    for (const YAML::Node& entry : found->second) {
+      try {
+        take(reader_.text(entry, what));
+      } catch (const std::invalid_argument& error) {
+        reader_.failAt(entry.Mark(), error.what());
+      }
+    }
+  }
+
+  YamlReader reader_;
+  YamlReader::Fields fields_;
+  HumanTask task_;
+};
 
 }  // namespace
 
 HumanTask taskOfYaml(const std::string& text, const std::string& source_name) {
-  try {
-    const YAML::Node root = YAML::Load(text);
-    if (!root.IsMap()) {
-      throw std::runtime_error(
-          fmt::format("{}: expected a map with task_id, person, goal and plan", source_name));
-    }
-    return taskOf(root);
-  } catch (const YAML::Exception& error) {
-    throw std::runtime_error(fmt::format("{}: {}", source_name, error.what()));
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("{}: {}", source_name, error.what()));
-  }
+  return TaskReader(source_name).read(text);
 }
 
 HumanTask taskOfFile(const std::string& file) {

@@ -8,11 +8,11 @@
 namespace goal_alignment::ros_interface {
 
 /// A task from YAML: `task_id`, `person`, and the lists `goal` and `plan` of texts such as
-/// `(on a b)`; all of them may be left out. Throws std::runtime_error or std::invalid_argument that
-/// says where the fault is.
+/// `(on a b)`; all of them may be left out. Throws YamlError.
 HumanTask taskOfYaml(const std::string& text, const std::string& source_name);
 
-/// The same from a file, which may be relative to the package's folder.
+/// The same from a file, which may be relative to the package's folder. Throws pddl::InputError,
+/// too.
 HumanTask taskOfFile(const std::string& file);
 
 }  // namespace goal_alignment::ros_interface

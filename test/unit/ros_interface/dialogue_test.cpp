@@ -6,6 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "goal_alignment/common/yaml_reader.h"
 #include "goal_alignment/ros_interface/line_reader.h"
 #include "goal_alignment/ros_interface/question_watch.h"
 #include "goal_alignment/ros_interface/scripted_dialogue.h"
@@ -103,8 +104,11 @@ TEST(Scripted, readsListsAndFiles) {
   EXPECT_EQ(readAs(".txt", "(a) ; comment\n(not (b))\n").size(), 2U);
   EXPECT_EQ(readAs(".yaml", "true_goal: [(a), \"(b c)\"]").size(), 2U);
   EXPECT_EQ(readAs(".yml", "- (a)\n").size(), 1U);
-  EXPECT_THROW(readAs(".yaml", "true_goal: {a: b}"), std::runtime_error);
-  EXPECT_THROW(readAs(".yaml", "something: else"), std::runtime_error);
+  EXPECT_EQ(readAs(".yaml", "# nobody wants anything\n").size(), 0U);
+  EXPECT_THROW(readAs(".yaml", "true_goal: {a: b}"), YamlError);
+  EXPECT_THROW(readAs(".yaml", "true_goal:"), YamlError);
+  EXPECT_THROW(readAs(".yaml", "something: else"), YamlError);
+  EXPECT_THROW(readAs(".yaml", "[(a), \"((\"]"), YamlError);
   EXPECT_THROW(readTrueGoal(XmlRpc::XmlRpcValue("/nowhere/at/all.txt")), std::runtime_error);
 }
 
@@ -143,15 +147,25 @@ TEST(TaskFile, holdsATask) {
 }
 
 TEST(TaskFile, faultsNameTheFile) {
-  for (const char* text :
-       {"", "- a", "goal: (a)", "goal: [\"((\"]", "plan: {a: b}", "a: [", "\""}) {
+  const auto fault = [](const std::string& text) -> std::string {
     try {
       taskOfYaml(text, "t.yaml");
-      FAIL() << "took " << text;
-    } catch (const std::exception& error) {
-      EXPECT_EQ(std::string(error.what()).find("t.yaml:"), 0U) << error.what();
+    } catch (const YamlError& error) {
+      return error.what();
     }
-  }
+    return "taken";
+  };
+  EXPECT_EQ(fault(""),
+            "t.yaml:1:1: expected a map with task_id, person, goal and plan, found nothing");
+  EXPECT_EQ(fault("- a"),
+            "t.yaml:1:1: expected a map with task_id, person, goal and plan, found a list");
+  EXPECT_EQ(fault("goal: (a)"), "t.yaml:1:7: expected a list, found '(a)'");
+  EXPECT_EQ(fault("goal:\n  - (a)\n  - \"((\"").find("t.yaml:3:5: "), 0U);
+  EXPECT_EQ(fault("plan: {a: b}"), "t.yaml:1:7: expected a list, found a map");
+  EXPECT_EQ(fault("paln: [(a)]"), "t.yaml:1:1: expected task_id, person, goal, plan, found 'paln'");
+  EXPECT_EQ(fault("person: [Ann]"), "t.yaml:1:9: expected person, found a list");
+  EXPECT_EQ(fault("a: [").find("t.yaml:"), 0U);
+  EXPECT_EQ(fault("\"").find("t.yaml:"), 0U);
 }
 
 }  // namespace
