@@ -4,7 +4,6 @@ find_package(fmt REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(Boost REQUIRED)
 find_package(Threads REQUIRED)
-find_package(TBB REQUIRED)
 # It brings no package configuration; Debian's library is static, with position-independent code.
 find_path(CADICAL_INCLUDE_DIR cadical.hpp)
 find_library(CADICAL_LIBRARY cadical)
@@ -33,5 +32,5 @@ target_include_directories(goal_alignment_core PUBLIC
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
 target_compile_options(goal_alignment_core PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
 target_link_libraries(goal_alignment_core PUBLIC Boost::boost Threads::Threads
-  PRIVATE fmt::fmt yaml-cpp TBB::tbb ${CADICAL_LIBRARY})
+  PRIVATE fmt::fmt yaml-cpp ${CADICAL_LIBRARY})
 target_include_directories(goal_alignment_core SYSTEM PRIVATE ${CADICAL_INCLUDE_DIR})

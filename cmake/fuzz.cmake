@@ -13,7 +13,7 @@ target_compile_options(goal_alignment_fuzzed PUBLIC
   ${fuzz_flags} -fsanitize=fuzzer-no-link,address,undefined)
 target_include_directories(goal_alignment_fuzzed SYSTEM PRIVATE ${CADICAL_INCLUDE_DIR})
 target_link_libraries(goal_alignment_fuzzed PUBLIC
-  Boost::boost Threads::Threads fmt::fmt yaml-cpp TBB::tbb ${CADICAL_LIBRARY})
+  Boost::boost Threads::Threads fmt::fmt yaml-cpp ${CADICAL_LIBRARY})
 
 add_custom_target(fuzzers)
 foreach(target pddl plan yaml)

@@ -34,7 +34,7 @@ ONLY = {
 }
 
 # What the core may use besides the standard library, whose headers have no folder.
-CORE_LIBRARIES = {'boost', 'fmt', 'tbb', 'yaml-cpp'}
+CORE_LIBRARIES = {'boost', 'fmt', 'yaml-cpp'}
 
 SOURCE = re.compile(r'\.(h|hpp|cpp|cc|ipp)$')
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
