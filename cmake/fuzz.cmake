@@ -20,6 +20,7 @@ foreach(target pddl plan yaml)
   set(fuzzer goal_alignment_${target}_fuzzer)
   add_executable(${fuzzer} EXCLUDE_FROM_ALL
     test/fuzz/${target}_fuzzer.cpp test/fuzz/libfuzzer.cpp)
+  target_include_directories(${fuzzer} PRIVATE ${PROJECT_SOURCE_DIR}/test)
   target_compile_definitions(${fuzzer} PRIVATE FUZZ_TARGET=${target})
   target_link_libraries(${fuzzer} PRIVATE goal_alignment_fuzzed -fsanitize=fuzzer,address,undefined)
   add_dependencies(fuzzers ${fuzzer})

@@ -4,7 +4,10 @@
 
 #include "goal_alignment/grounding/grounder.h"
 #include "goal_alignment/pddl/model.h"
+#include "goal_alignment/pddl/parser.h"
+#include "goal_alignment/pddl/perturbation.h"
 #include "goal_alignment/validation/execution.h"
+#include "oracles/forgettable.h"
 #include "promise.h"
 #include "targets.h"
 
@@ -53,6 +56,15 @@ void groundShortly(const pddl::Model& model) {
   }
 }
 
+/// A person may know nothing of what an action needs or ends, and the rest is still a domain.
+void forgetEverything(const pddl::Source& domain) {
+  const auto all = oracles::forgettableOf(pddl::parseDomain(domain));
+  RandomSource random(domain.text.size());
+  const auto human = pddl::perturb(domain, all.preconditions, all.deletes, random);
+  const auto left = oracles::forgettableOf(pddl::parseDomain({"human.pddl", human.text}));
+  promise(left.preconditions == 0 && left.deletes == 0, "all of it is forgotten");
+}
+
 }  // namespace
 
 void pddl(std::string_view bytes) {
@@ -62,6 +74,7 @@ void pddl(std::string_view bytes) {
   const pddl::Source problem{"p.pddl",
                              std::string(two ? bytes.substr(at + kSeparator.size()) : bytes)};
 
+  if (isRead([&] { pddl::parseDomain(domain); })) forgetEverything(domain);
   const auto faults = pddl::faults(domain, problem);
   std::optional<pddl::Model> model;
   const bool read = isRead([&] { model = pddl::readModel(domain, problem); });

@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "oracles/forgettable.h"
 #include "samples.h"
 
 namespace goal_alignment::pddl {
 namespace {
 
+using oracles::Forgettable;
 using samples::kTeaDomain;
 
 Perturbation forget(const std::string& text, std::size_t preconditions, std::size_t deletes,
@@ -33,28 +35,8 @@ std::string leftOf(const std::string& action, std::size_t preconditions, std::si
   return text.substr(begin, text.size() - begin - 2);
 }
 
-std::size_t deletesOf(const std::vector<ast::Literal>& literals,
-                      const std::vector<ast::ConditionalEffect>& conditional) {
-  std::size_t count = 0;
-  for (const ast::Literal& literal : literals)
-    count += literal.negated ? 1 : 0;
-  for (const ast::ConditionalEffect& effect : conditional)
-    count += deletesOf(effect.literals, effect.nested);
-  return count;
-}
-
-struct Counts {
-  std::size_t preconditions = 0;
-  std::size_t deletes = 0;
-};
-
-Counts countsOf(const std::string& text) {
-  Counts counts;
-  for (const ast::Action& action : parseDomain({"d.pddl", text}).actions) {
-    counts.preconditions += action.precondition.size();
-    counts.deletes += deletesOf(action.effect, action.conditional);
-  }
-  return counts;
+Forgettable countsOf(const std::string& text) {
+  return oracles::forgettableOf(parseDomain({"d.pddl", text}));
 }
 
 // Every connective, and effects within effects.
@@ -67,11 +49,11 @@ const std::string kAdlDomain = domainWith(R"(    :parameters (?x ?y)
 
 TEST(Perturbation, TakesOutAsManyAsItIsTold) {
   for (const std::string& domain : {kTeaDomain, kAdlDomain}) {
-    const Counts all = countsOf(domain);
+    const Forgettable all = countsOf(domain);
     for (std::size_t preconditions = 0; preconditions <= all.preconditions; ++preconditions) {
       for (std::size_t deletes = 0; deletes <= all.deletes; ++deletes) {
         const Perturbation human = forget(domain, preconditions, deletes, preconditions);
-        const Counts left = countsOf(human.text);
+        const Forgettable left = countsOf(human.text);
         ASSERT_EQ(left.preconditions, all.preconditions - preconditions) << human.text;
         ASSERT_EQ(left.deletes, all.deletes - deletes) << human.text;
         ASSERT_EQ(human.forgotten.size(), preconditions + deletes);
@@ -85,7 +67,7 @@ TEST(Perturbation, NothingForgottenIsTheSameText) {
 }
 
 TEST(Perturbation, EverythingCanBeForgotten) {
-  const Counts all = countsOf(kAdlDomain);
+  const Forgettable all = countsOf(kAdlDomain);
   std::set<std::string> forgotten;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const Perturbation human = forget(kAdlDomain, 1, 1, seed);
