@@ -86,8 +86,9 @@ TEST(Usage, HelpIsNoError) {
 TEST(Perturb, AlignsARobotWithAPersonWhoHasForgottenSome) {
   const Folder folder;
   writeDesk(folder, "(down b)\n");
-  const std::vector<std::string> words = {"perturb", folder / "robot_domain.pddl", "--seed", "3",
-                                          "--preconditions", "1", "--deletes", "0"};
+  const std::vector<std::string> words = {
+      "perturb", folder / "robot_domain.pddl", "--seed", "3", "--preconditions", "1", "--deletes",
+      "0"};
   const Ended shown = hagl(words);
   EXPECT_EQ(shown.status, 0);
   EXPECT_EQ(shown.err.find("forgotten: precondition ("), 0U) << shown.err;
