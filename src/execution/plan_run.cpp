@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 #include <ros/console.h>
+#include <ros/names.h>
 
 #include <utility>
 
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/pddl/source_position.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
 #include "goal_alignment/ros_interface/package_files.h"
@@ -75,7 +77,7 @@ std::string PlanRun::mappingFault(const Plan& plan) const {
     const Arguments arguments(step, mapping_.tables, mapping_.source);
     try {
       failureFacts(step, *rule);
-      if (rule->name.IsScalar()) arguments.fill(rule->name);
+      if (rule->name.IsScalar()) checkServer(arguments.fill(rule->name), rule->name);
       for (const FrameMove& move : rule->moves) {
         arguments.fill(move.frame);
         if (!move.to.IsNull()) poseOf(arguments.resolve(move.to), mapping_.source);
@@ -87,6 +89,14 @@ std::string PlanRun::mappingFault(const Plan& plan) const {
     }
   }
   return {};
+}
+
+// What stands in a PDDL name may be more than roscpp takes, which it would say in mid-plan.
+void PlanRun::checkServer(const std::string& name, const YAML::Node& node) const {
+  std::string why_not;
+  if (ros::names::validate(name, why_not)) return;
+  YamlReader(mapping_.source)
+      .failAt(node.Mark(), fmt::format("{} can't be a name in ROS: {}", inQuotes(name), why_not));
 }
 
 ExecutePlanResult PlanRun::run(const Plan& plan) {

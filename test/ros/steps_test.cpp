@@ -427,6 +427,12 @@ TEST_F(Steps, areRefusedWhereTheMappingIsFaultyOrSilent) {
   result = run(planOf({{"go", {{"from", "hall"}, {"to", "attic"}}}}));
   EXPECT_NE(result.reason.find("table 'pose' has no entry for 'attic'"), std::string::npos)
       << result.reason;
+  setMapping(kServices);
+  result = run(planOf({{"open", {{"door", "fire-door"}}}}));
+  EXPECT_EQ(result.outcome, ExecutePlanResult::INVALID_PLAN);
+  EXPECT_NE(result.reason.find(".yaml:3:30: '/door/fire-door/open' can't be a name in ROS"),
+            std::string::npos)
+      << result.reason;
 }
 
 TEST_F(Steps, simulatedMoveFramesSmoothly) {

@@ -63,6 +63,7 @@ class PlanRun {
     bool final = false;  // no new plan is asked for
   };
 
+  void checkServer(const std::string& name, const YAML::Node& node) const;
   void beginWatching();
   void stopWatching(const std::string& why);
   std::optional<WorldState> world();
