@@ -6,6 +6,7 @@
 #include <ros/this_node.h>
 #include <std_msgs/Header.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "goal_alignment/ros_interface/stamp.h"
@@ -18,6 +19,7 @@ namespace serialization = ros::serialization;
 
 constexpr std::uint32_t kQueueSize = 100;
 constexpr std::chrono::seconds kResultDelay{2};  // after a status that says that the goal has ended
+constexpr double kLeastPatience = 0.5;  // seconds; links take a moment, and so do status lists
 
 bool isTerminal(std::uint8_t status) {
   return status == GoalStatus::SUCCEEDED || status == GoalStatus::ABORTED ||
@@ -174,21 +176,26 @@ ActionClient::End ActionClient::run(const Bytes& goal, const Limits& limits,
   const auto kindOf = [](Woken woken) {
     return woken == Woken::Interrupt ? End::Kind::Interrupted : End::Kind::TimedOut;
   };
-  const auto server_until = std::min(deadlineIn(limits.patience), limits.end);
+  const double patience = std::max(limits.patience, kLeastPatience);
+  const auto server_until = std::min(deadlineIn(patience), limits.end);
   const Woken found = wait_.waitUntil(server_until, [this] { return connected(); });
   if (found == Woken::Interrupt) return {End::Kind::Interrupted, 0, "", {}};
   if (found == Woken::Timeout) return {End::Kind::NoServer, 0, "", {}};
 
   send(goal, goal_id);
   bool lost = false;
-  const auto isOver = [&] { return hasEnded() || (lost = isLost(limits.patience)); };
+  const auto isOver = [&] { return hasEnded() || (lost = isLost(patience)); };
   const Woken woken = wait_.waitUntil(limits.end, isOver);
-  if (woken == Woken::Holds) return lost ? End{End::Kind::Lost, 0, "", {}} : ending();
+  if (woken == Woken::Holds && !lost) return ending();
   cancel();
+  if (woken == Woken::Holds) return {End::Kind::Lost, 0, "", {}};
   End end{kindOf(woken), 0, "", {}};
   const Woken settled = wait_.settleUntil(deadlineIn(limits.cancel_patience), isOver);
   if (settled == Woken::Timeout) end.text = "it did not end when it was cancelled";
-  return end;
+  if (settled != Woken::Holds || lost) return end;
+  // It may have been faster than the cancel, and must not be done once more.
+  const End ended = ending();
+  return ended.status == GoalStatus::SUCCEEDED ? ended : end;
 }
 
 }  // namespace goal_alignment::execution

@@ -49,7 +49,11 @@ StepEnd treat(const StepTry& attempt, const std::string& name, const End& end) {
 }  // namespace
 
 ActionClient& ActionSteps::clientOf(const std::string& name, const ActionDefinition& type) {
-  auto& client = clients_[name + " " + type.goal_message_md5];
+  auto& client = clients_[node_.resolveName(name)];
+  if (client && client->type().md5 != type.goal_message_md5) {
+    // The mapping was corrected. A topic can't be advertised with two types.
+    client.reset();
+  }
   if (!client) {
     client = std::make_unique<ActionClient>(
         node_, name,

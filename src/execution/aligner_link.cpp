@@ -21,6 +21,7 @@ namespace {
 using Kind = ServiceCaller::Reply::Kind;
 
 constexpr double kServiceSeconds = 10;  // for an answer; it is a look-up
+constexpr double kLastWordSeconds = 1;  // for one that a cancel must not keep from being told
 constexpr int kServiceTries = 3;        // a call may break off when a connection does
 constexpr double kAlignerPatience = 3;  // seconds until the aligner's action is there, or is lost
 
@@ -91,8 +92,13 @@ bool AlignerLink::set(const std::vector<Literal>& changes, std::string& refusal)
     request.facts.push_back(fluent);
   }
   Kind kind = Kind::Failed;
-  const auto response =
-      ask<SetFacts>(services_, aligner_ + ros_interface::kSetFactsService, request, kind);
+  const std::string service = aligner_ + ros_interface::kSetFactsService;
+  auto response = ask<SetFacts>(services_, service, request, kind);
+  // A cancel ends the plan, but what the steps have changed stays so.
+  if (kind == Kind::Interrupted) {
+    response = services_.call<SetFacts>(service, request, 0, deadlineIn(kLastWordSeconds), &kind,
+                                        ServiceCaller::On::End);
+  }
   if (response && !response->accepted) refusal = response->message;
   return response.has_value();
 }
@@ -124,7 +130,9 @@ std::optional<AlignResult> AlignerLink::planAnew(const std::string& session_id,
   Bytes bytes(ros::serialization::serializationLength(goal));
   ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   ros::serialization::serialize(out, goal);
-  const std::string id = ownGoals() + std::to_string(ros_interface::stampNow().toNSec());
+  // The clock may stand still, and an earlier run of this node may have sent goals, too.
+  const std::string id =
+      fmt::format("{}{}-{}", ownGoals(), ros_interface::stampNow().toNSec(), ++goals_sent_);
   const auto end =
       align_.run(bytes, {kAlignerPatience, cancel_patience, Clock::time_point::max()}, id);
   if (end.kind == EndKind::NoServer) {

@@ -38,6 +38,7 @@ void DispatchedSteps::hear(const ros::MessageEvent<const ActionFeedback>& event)
     if (expected_ == nullptr || feedback.action_id != expected_->action_id) return;
     // ROSPlan's C++ base class of components leaves the plan's id out; ours count from 1.
     if (feedback.plan_id != expected_->plan_id && feedback.plan_id != 0) return;
+    if (last_ && isOver(last_->status)) return;  // another component may still have its say
     last_ = feedback;
   }
   wait_.notify();
@@ -113,6 +114,9 @@ StepEnd DispatchedSteps::await(const StepTry& attempt, Clock::time_point patienc
     const auto feedback = heard();
     return !feedback || isOver(feedback->status);
   });
+  // It may have been faster than the cancel, and must not be done once more.
+  const auto last = heard();
+  if (last && last->status == ActionFeedback::ACTION_SUCCEEDED_TO_GOAL_STATE) return {};
   const bool interrupted = woken == Woken::Interrupt;
   return {interrupted ? StepEnd::Kind::Interrupted : StepEnd::Kind::TimedOut, ""};
 }

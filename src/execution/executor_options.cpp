@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/execution/executor_options.h"
 
+#include <ros/names.h>
 #include <ros/param.h>
 
 #include <limits>
@@ -15,6 +16,11 @@ constexpr int kMostReplans = 1000;
 constexpr double kLowestRate = 1;     // Hz
 constexpr double kHighestRate = 200;  // Hz
 
+bool isNodeName(const std::string& name) {
+  std::string why_not;
+  return !name.empty() && name.front() != '~' && ros::names::validate(name, why_not);
+}
+
 }  // namespace
 
 ExecutorOptions ExecutorOptions::read(const ros::NodeHandle& private_node) {
@@ -28,7 +34,7 @@ ExecutorOptions ExecutorOptions::read(const XmlRpc::XmlRpcValue& values, const s
   ExecutorOptions options;
   reader.read("mapping", options.mapping);
   reader.read("aligner", options.aligner);
-  if (options.aligner.empty()) reader.refuse("aligner", "the name of the aligner's node");
+  if (!isNodeName(options.aligner)) reader.refuse("aligner", "the name of the aligner's node");
   reader.read("auto_execute", options.auto_execute);
   reader.read("watch", options.watch);
   reader.read("robot_domain", options.robot_domain);
@@ -50,7 +56,8 @@ ExecutorOptions ExecutorOptions::atTheStart(const ros::NodeHandle& private_node)
     return read(private_node);
   } catch (const ros_interface::ParameterError&) {
     ExecutorOptions options;
-    private_node.getParam("aligner", options.aligner);
+    std::string aligner;
+    if (private_node.getParam("aligner", aligner) && isNodeName(aligner)) options.aligner = aligner;
     private_node.getParam("auto_execute", options.auto_execute);
     return options;
   }

@@ -114,9 +114,27 @@ void FrameStage::checkMotion(const Motion& motion) const {
 void FrameStage::begin(const std::vector<Motion>& motions) {
   const std::lock_guard<std::mutex> lock(mutex_);
   under_way_.clear();
-  for (const Motion& motion : motions) {
+  for (const Motion& motion : motions)
     checkMotion(motion);
+  refuseCircle(motions);
+  for (const Motion& motion : motions)
     under_way_.push_back({motion, frames_.at(motion.frame).pose});
+}
+
+// Two motions that are good one by one may each put its frame onto the other's.
+void FrameStage::refuseCircle(const std::vector<Motion>& motions) const {
+  std::map<std::string, std::string> parents;
+  for (const auto& [name, frame] : frames_)
+    parents[name] = frame.parent;
+  for (const Motion& motion : motions) {
+    if (motion.parent) parents[motion.frame] = *motion.parent;
+  }
+  for (const Motion& motion : motions) {
+    auto up = parents.find(motion.frame);
+    for (std::size_t i = 0; up != parents.end(); ++i, up = parents.find(up->second)) {
+      if (i <= parents.size()) continue;
+      throw std::invalid_argument(fmt::format("the frame {} would hang from itself", motion.frame));
+    }
   }
 }
 

@@ -294,7 +294,11 @@ void check(MessageTypes& types, const MessageDefinition& definition, const YAML:
   Encoder(types, nullptr, source, {}).message(definition, fields);
 }
 
-void checkPath(MessageTypes& types, const MessageDefinition& definition, const std::string& path) {
+namespace {
+
+// Of a single value.
+const MessageField& fieldAt(MessageTypes& types, const MessageDefinition& definition,
+                            const std::string& path) {
   const std::size_t dot = path.find('.');
   const MessageField* field = definition.find(path.substr(0, dot));
   if (field == nullptr) {
@@ -306,7 +310,20 @@ void checkPath(MessageTypes& types, const MessageDefinition& definition, const s
   if (!single || field->builtin() == has_more) {
     throw TypeError(fmt::format("{}: {} is no single value", definition.type, inQuotes(path)));
   }
-  if (has_more) checkPath(types, types.message(field->type), path.substr(dot + 1));
+  if (has_more) return fieldAt(types, types.message(field->type), path.substr(dot + 1));
+  return *field;
+}
+
+}  // namespace
+
+void checkPath(MessageTypes& types, const MessageDefinition& definition, const std::string& path) {
+  fieldAt(types, definition, path);
+}
+
+void checkValue(MessageTypes& types, const MessageDefinition& definition, const std::string& path,
+                const YAML::Node& expected, const Arguments& arguments) {
+  Encoder wanted(types, &arguments, arguments.source(), {});
+  wanted.scalar(fieldAt(types, definition, path).type, arguments.resolve(expected));
 }
 
 bool matches(MessageTypes& types, const MessageDefinition& definition, const Bytes& message,

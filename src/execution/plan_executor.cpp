@@ -189,12 +189,7 @@ void PlanExecutor::run(Goal goal) {
   warnAboutUnknown(options);
   goal.setAccepted();
   simulated_steps_.begin(mapping, options);
-  try {
-    conclude(goal, run.run(plan));
-  } catch (const std::exception& error) {
-    ROS_ERROR("the plan broke off: %s", error.what());
-    conclude(goal, resultWith(ExecutePlanResult::INTERNAL, error.what()));
-  }
+  conclude(goal, run.run(plan));
 }
 
 void PlanExecutor::conclude(Goal goal, ExecutePlanResult result) {

@@ -59,6 +59,11 @@ std::string faultOf(const Plan& plan) {
       return fmt::format("step {} has action_id {}, expected its index", index, step.action_id);
     }
   }
+  try {
+    ros_interface::toLiterals(plan.guaranteed, "guaranteed");
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
   return {};
 }
 
@@ -80,10 +85,17 @@ std::string PlanRun::mappingFault(const Plan& plan) const {
       if (rule->name.IsScalar()) checkServer(arguments.fill(rule->name), rule->name);
       for (const FrameMove& move : rule->moves) {
         arguments.fill(move.frame);
+        if (!move.parent.IsNull()) arguments.fill(move.parent);
         if (!move.to.IsNull()) poseOf(arguments.resolve(move.to), mapping_.source);
       }
-      if (rule->action) encode(parts_.types, rule->action->goal, rule->fields, arguments, {});
-      if (rule->service) encode(parts_.types, rule->service->request, rule->fields, arguments, {});
+      if (rule->action) {
+        encode(parts_.types, rule->action->goal, rule->fields, arguments, {});
+        checkExpected(rule->action->result, *rule, arguments);
+      }
+      if (rule->service) {
+        encode(parts_.types, rule->service->request, rule->fields, arguments, {});
+        checkExpected(rule->service->response, *rule, arguments);
+      }
     } catch (const std::exception& error) {
       return fmt::format("{}: {}", about(step), error.what());
     }
@@ -93,14 +105,30 @@ std::string PlanRun::mappingFault(const Plan& plan) const {
 
 // What stands in a PDDL name may be more than roscpp takes, which it would say in mid-plan.
 void PlanRun::checkServer(const std::string& name, const YAML::Node& node) const {
-  std::string why_not;
-  if (ros::names::validate(name, why_not)) return;
+  std::string why_not = "it is private to a node";
+  if (name.rfind('~', 0) != 0 && ros::names::validate(name, why_not)) return;
   YamlReader(mapping_.source)
       .failAt(node.Mark(), fmt::format("{} can't be a name in ROS: {}", inQuotes(name), why_not));
 }
 
+// Once the step is done it would be too late to find them wrong.
+void PlanRun::checkExpected(const MessageDefinition& definition, const StepRule& rule,
+                            const Arguments& arguments) const {
+  for (const auto& [path, expected] : rule.success)
+    checkValue(parts_.types, definition, path, expected, arguments);
+}
+
 ExecutePlanResult PlanRun::run(const Plan& plan) {
   plan_ = plan;
+  try {
+    return runOn();
+  } catch (const std::exception& error) {
+    ROS_ERROR("the plan broke off: %s", error.what());
+    return resultOf({ExecutePlanResult::INTERNAL, -1, error.what(), true});
+  }
+}
+
+ExecutePlanResult PlanRun::runOn() {
   beginWatching();
   while (true) {
     Trouble trouble = walk();

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kLookPause{50};
 constexpr std::chrono::seconds kPatienceAtTheEnd{2};
+constexpr int kMostCalls = 100;  // each is a thread and a socket
 constexpr std::size_t kLengthPrefix = sizeof(std::uint32_t);
 
 ros::SerializedMessage serialized(const Bytes& request) {
@@ -96,7 +97,7 @@ ServiceCaller::~ServiceCaller() {
 
 ServiceCaller::Reply ServiceCaller::call(const std::string& service, const std::string& md5,
                                          const Bytes& request, double patience,
-                                         Clock::time_point end) {
+                                         Clock::time_point end, On give_up) {
   auto call = std::make_shared<Call>();
   call->node = node_;
   call->service = node_.resolveName(service);
@@ -105,6 +106,7 @@ ServiceCaller::Reply ServiceCaller::call(const std::string& service, const std::
   call->look_until = std::min(deadlineIn(patience), end);
   {
     const std::lock_guard<std::mutex> lock(shared_->mutex);
+    if (shared_->calls == kMostCalls) return {Reply::Kind::TooMany, {}};
     ++shared_->calls;
   }
   std::thread([shared = shared_, call] {
@@ -113,10 +115,12 @@ ServiceCaller::Reply ServiceCaller::call(const std::string& service, const std::
     --shared->calls;
     shared->changed.notify_all();
   }).detach();
-  const auto woken = wait_.waitUntil(end, [&] {
+  const auto isAnswered = [&] {
     const std::lock_guard<std::mutex> lock(call->mutex);
     return call->reply.has_value();
-  });
+  };
+  const auto woken = give_up == On::Interrupt ? wait_.waitUntil(end, isAnswered)
+                                              : wait_.settleUntil(end, isAnswered);
   const std::lock_guard<std::mutex> lock(call->mutex);
   if (call->reply) return *call->reply;
   call->abandoned = true;

@@ -38,6 +38,9 @@ StepEnd ServiceSteps::run(const StepTry& attempt) {
       return {StepEnd::Kind::Failed, fmt::format("the call of {} failed", name)};
     case Kind::NoServer:
       return {StepEnd::Kind::Failed, fmt::format("nobody offers the service {}", name)};
+    case Kind::TooMany:
+      return {StepEnd::Kind::Failed,
+              fmt::format("{} is not called: too many calls of services never ended", name)};
     case Kind::TimedOut:
       return {StepEnd::Kind::TimedOut, name};
     case Kind::Interrupted:

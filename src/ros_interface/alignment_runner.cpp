@@ -193,6 +193,8 @@ void AlignmentRunner::loop(GoalTicket& ticket) {
       continue;
     }
     if (kept_.session->state() == State::Done && hasEnded()) break;
+    // Where the session was taken up again since the cancel, it has forgotten that one.
+    if (ticket.ended()) break;
     const session::Snapshot now = step();
     if (now.state == State::Done) continue;  // what was said or seen meanwhile still counts
     if (now.state == State::AwaitingAnswer) {
@@ -206,6 +208,8 @@ void AlignmentRunner::loop(GoalTicket& ticket) {
   }
   closeQuestion();
   bridge_.endSession();
+  // Who gave them was told that they count: the journal and the session's next goal have them.
+  if (ticket.ended()) applyAnswers();
 }
 
 session::Snapshot AlignmentRunner::step() {

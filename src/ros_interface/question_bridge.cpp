@@ -71,7 +71,10 @@ void QuestionBridge::endSession() {
   const std::lock_guard<std::mutex> lock(mutex_);
   closeOpen(false);
   under_way_ = false;
-  accepted_.clear();
+  const auto declines = [](const AcceptedAnswer& answer) {
+    return answer.kind == AnswerKind::Decline;
+  };
+  accepted_.erase(std::remove_if(accepted_.begin(), accepted_.end(), declines), accepted_.end());
 }
 
 bool QuestionBridge::endSessionIfIdle() {

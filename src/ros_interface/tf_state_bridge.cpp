@@ -25,7 +25,8 @@ Sighting sight(const tf2_ros::Buffer& buffer, const FramePair& frames, const ros
     sighting.known = true;
     sighting.position = {place.x, place.y, place.z};
     const ros::Time& stamp = transform.header.stamp;
-    if (!stamp.isZero()) sighting.age = (now - stamp).toSec();
+    if (!stamp.isZero())
+      sighting.age = now.toSec() - stamp.toSec();  // garbage is too much for a Duration
   } catch (const tf2::TransformException& error) {
     sighting.why = std::string(trimmed(error.what()));
   }

@@ -2,7 +2,6 @@
 #include "rule_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -145,9 +144,8 @@ class RuleReader {
 
   double metres(const YAML::Node& node, const std::string& word) const {
     double value = 0;
-    const char* const end = word.data() + word.size();
-    const auto [parsed, error] = std::from_chars(word.data(), end, value);
-    if (error != std::errc() || parsed != end || !(value > 0 && value <= kLongestReach))
+    const bool read = YAML::convert<double>::decode(YAML::Node(word), value);
+    if (!read || !(value > 0 && value <= kLongestReach))
       reader_.fail(node.Mark(), "metres, more than 0 and at most 1000000", inQuotes(word));
     return value;
   }

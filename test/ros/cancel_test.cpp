@@ -64,6 +64,37 @@ TEST_F(Cancel, arrivingBeforeItsGoal) {
   expectCanceled(resultOf(id), GoalStatus::RECALLED);
 }
 
+// Clients' clocks may be wrong by anything.
+TEST_F(Cancel, withAnyStampHarmsNothing) {
+  Topic<actionlib_msgs::GoalStatusArray> statuses(node_, "/goal_alignment/align/status");
+  const auto is_listed = [&](const std::string& id) {
+    return statuses.waitFor([&](const actionlib_msgs::GoalStatusArray& shown) {
+      return std::any_of(shown.status_list.begin(), shown.status_list.end(),
+                         [&](const GoalStatus& status) { return status.goal_id.id == id; });
+    });
+  };
+  for (const std::uint32_t seconds : {1U, 4000000000U, 4294967295U}) {
+    SCOPED_TRACE(seconds);
+    actionlib_msgs::GoalID message;
+    message.id = newId();
+    message.stamp = ros::Time(seconds, 0);
+    cancels_.publish(message);
+    ASSERT_TRUE(is_listed(message.id));
+    // The status list is looked through several times a second.
+    ros::WallDuration(0.5).sleep();
+    EXPECT_EQ(int{resultOf(send(sweepSilently())).status.status}, GoalStatus::SUCCEEDED);
+
+    message.id = newId();
+    cancels_.publish(message);
+    ASSERT_TRUE(is_listed(message.id));
+    AlignActionGoal goal;
+    goal.goal_id.id = message.id;
+    goal.goal = sweepHall();
+    goals_.publish(goal);
+    expectCanceled(resultOf(message.id), GoalStatus::RECALLED);
+  }
+}
+
 TEST_F(Cancel, byANewerGoal) {
   const Question question = sendAndAwaitQuestion(sweepHall());
   const auto older = results_.all().size();

@@ -104,6 +104,12 @@ TEST_F(Executor, refusesWhatIsNoPlan) {
   const ExecutePlanResult result = run(goal);
   EXPECT_EQ(result.outcome, ExecutePlanResult::INVALID_PLAN);
   EXPECT_EQ(result.reason, "step 1 has action_id 7, expected its index");
+  goal = planOf(1);
+  goal.plan.guaranteed.resize(1);
+  goal.plan.guaranteed[0].text = "tea is served";
+  EXPECT_EQ(run(goal).outcome, ExecutePlanResult::INVALID_PLAN);
+  EXPECT_NE(client_.getResult()->reason.find("guaranteed"), std::string::npos)
+      << client_.getResult()->reason;
 }
 
 TEST_F(Executor, refusesToRunWithABrokenParameterAndNamesIt) {

@@ -278,6 +278,32 @@ TEST_F(Sessions, takeARevisedAnswerWhileAQuestionIsOpen) {
   EXPECT_FALSE(answer(kNo, second.question_id).accepted) << "it has gone with its reason";
 }
 
+TEST_F(Sessions, countEveryRevisionOfSeveralInARow) {
+  reply(begin(sweepBothRooms()), kNo);
+  reply(ask(), kNo);
+  const Texts fluents = textsOf(expectEnd(AlignResult::SUCCESS).plan.not_wanted);
+  ASSERT_EQ(fluents.size(), 2U);
+  for (int round = 0; round < 20; ++round) {
+    SCOPED_TRACE(round);
+    const int value = round % 2 == 0 ? kYes : kNo;
+    for (const std::string& text : fluents) {
+      const auto revised = reviseAnswer(value, {text});
+      EXPECT_TRUE(revised.accepted) << revised.message;
+    }
+    const int expected = value == kYes ? Candidate::WANTED : Candidate::NOT_WANTED;
+    EXPECT_TRUE(eventually([&] {
+      const AlignmentState state = currentState();
+      const auto counts = std::count_if(
+          state.candidates.begin(), state.candidates.end(), [&](const Candidate& candidate) {
+            const std::string text = textsOf({candidate.fluent}).front();
+            return candidate.state == expected &&
+                   std::find(fluents.begin(), fluents.end(), text) != fluents.end();
+          });
+      return state.phase == AlignmentState::DONE && counts == 2;
+    }));
+  }
+}
+
 TEST_F(Sessions, putTheOpenQuestionAgainWhereARevisionLeavesIt) {
   const Question first = begin(sweepRooms(2));
   reply(first, kNo);

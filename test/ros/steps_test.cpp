@@ -22,7 +22,7 @@ constexpr int kCancels = 1;
 class FakeBase {
  public:
   using Server = actionlib::ActionServer<move_base_msgs::MoveBaseAction>;
-  enum class Mood { Succeed, Abort, FailOnce, Wait, IgnoreCancel };
+  enum class Mood { Succeed, Abort, FailOnce, Wait, IgnoreCancel, SucceedWhenCancelled };
 
   explicit FakeBase(ros::NodeHandle node, const std::string& name = "move_base")
       : server_(
@@ -44,7 +44,11 @@ class FakeBase {
 
   void cancel(Server::GoalHandle goal) {
     ++cancels;
-    if (mood != Mood::IgnoreCancel) goal.setCanceled();
+    if (mood == Mood::SucceedWhenCancelled) {
+      goal.setSucceeded();
+    } else if (mood != Mood::IgnoreCancel) {
+      goal.setCanceled();
+    }
   }
 
   std::vector<move_base_msgs::MoveBaseGoal> goals() {
@@ -143,6 +147,36 @@ TEST_F(Steps, ofAnActionServerAreCancelledAfterTheirTime) {
   }));
   EXPECT_EQ(awaitEnd().outcome, ExecutePlanResult::STEP_TIMED_OUT);
   EXPECT_NE(awaitEnd().reason.find("took more than 0.5 s"), std::string::npos);
+}
+
+TEST_F(Steps, thatSucceedThoughTheyAreCancelledAreDone) {
+  FakeBase base(node_);
+  setMapping(kGo);
+  ASSERT_EQ(run(planOf({kGoToKitchen})).outcome, ExecutePlanResult::SUCCESS) << "now it is found";
+  base.mood = FakeBase::Mood::SucceedWhenCancelled;
+  setMapping(std::string(kGo) + "    timeout: 0.5\n    retries: 3\n");
+  EXPECT_EQ(run(planOf({kGoToKitchen})).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
+  EXPECT_EQ(base.goals().size(), 2U) << "it was not done once more";
+
+  setMapping(kGo);
+  send(planOf({kGoToKitchen, kGoToKitchen}));
+  ASSERT_TRUE(eventually([&] { return base.goals().size() == 3; }));
+  execute_.cancelGoal();
+  const ExecutePlanResult result = awaitEnd();
+  EXPECT_EQ(result.outcome, ExecutePlanResult::CANCELED);
+  EXPECT_EQ(doneBy(result), "(go hall kitchen)");
+  EXPECT_EQ(result.failed_step, 1);
+}
+
+TEST_F(Steps, followAMappingWhoseTypeIsCorrected) {
+  FakeBase base(node_);
+  setMapping(
+      "actions: {go: {kind: action, name: move_base, type: goal_alignment/ExecutePlan, "
+      "server_patience: 0.5}}");
+  expectFailure(run(planOf({kGoToKitchen})), ExecutePlanResult::STEP_FAILED,
+                "nobody offers the action move_base");
+  setMapping(std::string(kGo) + "    server_patience: 20\n");
+  EXPECT_EQ(run(planOf({kGoToKitchen})).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
 }
 
 TEST_F(Steps, ofAnActionServerAreCancelledWithThePlan) {
@@ -334,7 +368,11 @@ class FakeComponent {
   }
 
   void hear(const ActionDispatch::ConstPtr& dispatch) {
-    if (dispatch->name == "cancel_action") cancelled = dispatch->action_id;
+    if (dispatch->name == "cancel_action") {
+      cancelled = dispatch->action_id;
+      if (succeeds_when_cancelled)
+        say(*dispatch, ActionFeedback::ACTION_SUCCEEDED_TO_GOAL_STATE, 0);
+    }
     if (dispatch->name != "wash") return;
     ++dispatched;
     say(*dispatch, ActionFeedback::ACTION_ENABLED, 0);
@@ -342,6 +380,8 @@ class FakeComponent {
     say(*dispatch, ActionFeedback::ACTION_FAILED, 5);
     // As ROSPlan's C++ base class does, which leaves the plan's id out.
     if (status >= 0) say(*dispatch, status, -dispatch->plan_id);
+    // After its end nothing more is to be heard of it.
+    if (status >= 0) say(*dispatch, ActionFeedback::ACTION_ENABLED, 0);
   }
 
   void say(const ActionDispatch& dispatch, int what, int other_plan) {
@@ -353,6 +393,7 @@ class FakeComponent {
   }
 
   std::atomic<int> status{ActionFeedback::ACTION_SUCCEEDED_TO_GOAL_STATE};
+  std::atomic<bool> succeeds_when_cancelled{false};
   std::atomic<int> dispatched{0};
   std::atomic<int> cancelled{-1};
 
@@ -384,6 +425,12 @@ TEST_F(Steps, dispatchedAreCancelledAsRosplanKnowsIt) {
   setMapping("default: {kind: dispatch}");
   cancelWhileItRuns(planOf({{"wash", {}}}), [&] { return component.dispatched == 1; });
   EXPECT_TRUE(eventually([&] { return component.cancelled == 0; }));
+
+  ros::param::set("/plan_executor/cancel_patience", 60.0);
+  component.succeeds_when_cancelled = true;
+  setMapping("default: {kind: dispatch, timeout: 0.5, retries: 3, server_patience: 20}");
+  EXPECT_EQ(run(planOf({{"wash", {}}})).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
+  EXPECT_EQ(component.dispatched, 2) << "it was not done once more";
   ros::param::del("/plan_executor/cancel_patience");
 }
 
@@ -430,9 +477,26 @@ TEST_F(Steps, areRefusedWhereTheMappingIsFaultyOrSilent) {
   setMapping(kServices);
   result = run(planOf({{"open", {{"door", "fire-door"}}}}));
   EXPECT_EQ(result.outcome, ExecutePlanResult::INVALID_PLAN);
-  EXPECT_NE(result.reason.find(".yaml:3:30: '/door/fire-door/open' can't be a name in ROS"),
+  EXPECT_NE(result.reason.find(".yaml:3:31: '/door/fire-door/open' can't be a name in ROS"),
             std::string::npos)
       << result.reason;
+}
+
+TEST_F(Steps, areRefusedBeforeTheyBeginWhereTheirEndCouldNotBeTold) {
+  FakeServices services(node_);
+  setMapping(R"(
+actions: {open: {kind: service, name: "/door/{door}/open", type: std_srvs/SetBool,
+                 success_field: {success: perhaps}}}
+)");
+  ExecutePlanResult result = run(planOf({{"open", {{"door", "front"}}}}));
+  EXPECT_EQ(result.outcome, ExecutePlanResult::INVALID_PLAN);
+  EXPECT_NE(result.reason.find(".yaml:3:43: expected a bool, found 'perhaps'"), std::string::npos)
+      << result.reason;
+  EXPECT_EQ(services.calls, 0);
+  setMapping("actions: {take: {kind: simulated, moves: [{frame: cup, parent: \"{where}\"}]}}");
+  result = run(planOf({{"take", {{"what", "cup"}}}}));
+  EXPECT_EQ(result.outcome, ExecutePlanResult::INVALID_PLAN);
+  EXPECT_NE(result.reason.find("has no parameter 'where'"), std::string::npos) << result.reason;
 }
 
 TEST_F(Steps, simulatedMoveFramesSmoothly) {

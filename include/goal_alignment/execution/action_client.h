@@ -24,8 +24,8 @@ class ActionClient {
       Ended,        ///< `status`, `text` and, if it was heard, `result` say how
       NoServer,     ///< nobody offers the action
       Lost,         ///< the server went away, or forgot the goal
-      TimedOut,     ///< the goal is cancelled
-      Interrupted,  ///< the goal is cancelled
+      TimedOut,     ///< the goal is cancelled, and had not succeeded before
+      Interrupted,  ///< the same
     };
     Kind kind = Kind::Ended;
     std::uint8_t status = 0;  ///< of actionlib_msgs/GoalStatus
@@ -35,7 +35,7 @@ class ActionClient {
 
   /// How long things may take, in seconds, and the end of the whole.
   struct Limits {
-    double patience = 0;         ///< until the server is there, or is lost
+    double patience = 0;         ///< until the server is there, or is lost; at least 0.5
     double cancel_patience = 0;  ///< until a cancelled goal has ended
     Clock::time_point end;
   };
@@ -55,6 +55,7 @@ class ActionClient {
   End run(const Bytes& goal, const Limits& limits, const std::string& goal_id = "");
 
   bool connected() const;
+  const GoalType& type() const { return type_; }
 
  private:
   void hearStatus(const actionlib_msgs::GoalStatusArray::ConstPtr& statuses);

@@ -53,6 +53,7 @@ class AlignerLink {
   ServiceCaller& services_;
   WaitPoint& wait_;
   ActionClient align_;
+  unsigned goals_sent_ = 0;
 };
 
 }  // namespace goal_alignment::execution

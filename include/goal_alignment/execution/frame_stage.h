@@ -54,6 +54,7 @@ class FrameStage {
   // All below need mutex_.
   tf2::Transform inRoot(const std::string& frame, std::string& root) const;
   void checkMotion(const Motion& motion) const;
+  void refuseCircle(const std::vector<Motion>& motions) const;
   void attach(const Motion& motion);
 
   mutable std::mutex mutex_;

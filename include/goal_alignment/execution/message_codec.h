@@ -30,6 +30,11 @@ void check(MessageTypes& types, const MessageDefinition& definition, const YAML:
 /// TypeError that says where the path goes astray.
 void checkPath(MessageTypes& types, const MessageDefinition& definition, const std::string& path);
 
+/// Whether a value is of the type of the field at that path, which checkPath() has found good.
+/// Throws YamlError.
+void checkValue(MessageTypes& types, const MessageDefinition& definition, const std::string& path,
+                const YAML::Node& expected, const Arguments& arguments);
+
 /// Whether the message has that value there; `found` becomes what it has, for people. Throws
 /// YamlError for a value of another type, TypeError for bytes that are no such message.
 bool matches(MessageTypes& types, const MessageDefinition& definition, const Bytes& message,

@@ -52,6 +52,7 @@ class PlanRun {
   /// Why the steps of the plan can't be carried out with this mapping; empty: they can.
   std::string mappingFault(const Plan& plan) const;
 
+  /// Never throws: what goes wrong here is a result of INTERNAL, with what was done until then.
   ExecutePlanResult run(const Plan& plan);
 
  private:
@@ -64,6 +65,9 @@ class PlanRun {
   };
 
   void checkServer(const std::string& name, const YAML::Node& node) const;
+  void checkExpected(const MessageDefinition& definition, const StepRule& rule,
+                     const Arguments& arguments) const;
+  ExecutePlanResult runOn();
   void beginWatching();
   void stopWatching(const std::string& why);
   std::optional<WorldState> world();

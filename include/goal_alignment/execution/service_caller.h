@@ -24,6 +24,7 @@ class ServiceCaller {
       NoServer,     ///< nobody offers it
       TimedOut,     ///< no answer in time; the call is abandoned, whatever still becomes of it
       Interrupted,  ///< abandoned as well
+      TooMany,      ///< abandoned calls that have not ended yet; this one was not made
     };
     Kind kind = Kind::Failed;
     Bytes response;
@@ -35,21 +36,27 @@ class ServiceCaller {
   ServiceCaller(const ServiceCaller&) = delete;
   ServiceCaller& operator=(const ServiceCaller&) = delete;
 
-  /// `patience`: seconds for which the service may be absent. `end`: of the whole.
+  /// What an interrupt does to a call: one that is short and has to be made is not abandoned.
+  enum class On { Interrupt, End };
+
+  /// `patience`: seconds for which the service may be absent. `end`: of the whole. `give_up`: on
+  /// what it is abandoned.
   Reply call(const std::string& service, const std::string& md5, const Bytes& request,
-             double patience, Clock::time_point end);
+             double patience, Clock::time_point end, On give_up = On::Interrupt);
 
   /// The same for a type that is known here; nothing: no answer. `kind`, if given, says why.
   template <typename Service>
   std::optional<typename Service::Response> call(const std::string& service,
                                                  const typename Service::Request& request,
                                                  double patience, Clock::time_point end,
-                                                 Reply::Kind* kind = nullptr) {
+                                                 Reply::Kind* kind = nullptr,
+                                                 On give_up = On::Interrupt) {
     namespace serialization = ros::serialization;
     Bytes bytes(serialization::serializationLength(request));
     serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
     serialization::serialize(out, request);
-    Reply reply = call(service, ros::service_traits::md5sum<Service>(), bytes, patience, end);
+    Reply reply =
+        call(service, ros::service_traits::md5sum<Service>(), bytes, patience, end, give_up);
     if (kind != nullptr) *kind = reply.kind;
     if (reply.kind != Reply::Kind::Answered) return std::nullopt;
     typename Service::Response response;

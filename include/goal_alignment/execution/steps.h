@@ -63,8 +63,8 @@ class ActionSteps : public StepRunner {
 
   ros::NodeHandle node_;
   WaitPoint& wait_;
-  std::map<std::string, std::unique_ptr<ActionClient>>
-      clients_;  // kept, since connecting takes time
+  // By resolved name; kept, since connecting takes time.
+  std::map<std::string, std::unique_ptr<ActionClient>> clients_;
 };
 
 /// StepKind::Service.

@@ -7,6 +7,7 @@
 #include <ros/subscriber.h>
 #include <ros/wall_timer.h>
 
+#include <algorithm>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -50,7 +51,6 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   static constexpr double kStatusKept = 5.0;         // seconds, as actionlib's
 
   void initialize() override {
-    this->status_list_timeout_ = ros::Duration(kStatusKept);
     results_ = node_.template advertise<ActionResult>("result", kQueueSize);
     feedback_ = node_.template advertise<ActionFeedback>("feedback", kQueueSize);
     status_ = node_.template advertise<actionlib_msgs::GoalStatusArray>("status", kQueueSize, true);
@@ -58,10 +58,13 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
         [this](const ActionGoalConstPtr& goal) { this->goalCallback(goal); };
     goals_ = node_.template subscribe<ActionGoal>("goal", kQueueSize, take_goal);
     const boost::function<void(const actionlib_msgs::GoalID::ConstPtr&)> take_cancel =
-        [this](const actionlib_msgs::GoalID::ConstPtr& goal_id) { this->cancelCallback(goal_id); };
+        [this](const actionlib_msgs::GoalID::ConstPtr& goal_id) { takeCancel(goal_id); };
     cancels_ = node_.template subscribe<actionlib_msgs::GoalID>("cancel", kQueueSize, take_cancel);
-    status_timer_ = node_.createWallTimer(ros::WallDuration(kStatusPeriod),
-                                          [this](const ros::WallTimerEvent&) { publishStatus(); });
+    status_timer_ =
+        node_.createWallTimer(ros::WallDuration(kStatusPeriod), [this](const ros::WallTimerEvent&) {
+          publishStatus();
+          forgetOldGoals();
+        });
   }
 
   void publishResult(const actionlib_msgs::GoalStatus& status, const Result& result) override {
@@ -91,20 +94,37 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     message.header.stamp = stampNow();
     for (const auto& tracker : this->status_list_)
       message.status_list.push_back(tracker.status_);
-    forgetOldGoals(message.header.stamp);
     status_.publish(message);
   }
 
-  void forgetOldGoals(const ros::Time& now) {
+  void takeCancel(const actionlib_msgs::GoalID::ConstPtr& goal_id) {
+    this->cancelCallback(goal_id);
+    // The stamp is of a clock that may be wrong. A cancel that came before its goal waits for it
+    // from now on, and goals that nobody has thought of yet can't be meant.
+    const boost::recursive_mutex::scoped_lock lock(this->lock_);
+    const ros::Time now = stampNow();
+    this->last_cancel_ = std::min(this->last_cancel_, now);
+    for (auto& tracker : this->status_list_) {
+      const bool waits = tracker.handle_tracker_.expired() &&
+                         tracker.status_.status == actionlib_msgs::GoalStatus::RECALLING;
+      if (waits && tracker.status_.goal_id.id == goal_id->id)
+        tracker.handle_destruction_time_ = now;
+    }
+  }
+
+  // Of the timer alone: actionlib publishes the status while it holds an entry of the list.
+  void forgetOldGoals() {
+    const boost::recursive_mutex::scoped_lock lock(this->lock_);
+    const ros::Time now = stampNow();
     auto& list = this->status_list_;
     for (auto tracker = list.begin(); tracker != list.end();) {
-      // A cancel for a goal that never came, or an end while the simulated clock stood at zero.
       const bool unused = tracker->handle_tracker_.expired();
-      if (unused && tracker->handle_destruction_time_.isZero()) {
-        tracker->handle_destruction_time_ = now;
-      }
-      const ros::Time ended = tracker->handle_destruction_time_;
-      const bool old = unused && !ended.isZero() && ended + this->status_list_timeout_ < now;
+      ros::Time& ended = tracker->handle_destruction_time_;
+      // Zero while the simulated clock stood there; later than now what a client gave as the time
+      // of a goal that it sent twice, or where a clock was set back.
+      if (unused && (ended.isZero() || ended > now)) ended = now;
+      // Not as a Duration, which does not hold every difference.
+      const bool old = unused && now.toSec() - ended.toSec() > kStatusKept;
       tracker = old ? list.erase(tracker) : std::next(tracker);
     }
   }

@@ -41,10 +41,11 @@ class QuestionBridge {
 
   // Of the solver thread.
 
-  /// A session begins, or goes on with the answers revised since its outcome. Its candidates are
-  /// not known until update().
+  /// A session begins, or goes on with the answers accepted since they were last taken. Its
+  /// candidates are not known until update().
   void beginSession(const std::string& session_id);
-  /// Nothing can be answered until the next session, only revised. Answers not taken are dropped.
+  /// Nothing can be answered until the next session, only revised. Answers not taken are kept for
+  /// when this one goes on, but for DECLINE, which ends nothing any more.
   void endSession();
   /// The same unless an accepted answer still waits to be taken: then false.
   bool endSessionIfIdle();

@@ -30,8 +30,10 @@ TEST(ExecutorOptions, nameTheKeyThatIsWrong) {
   EXPECT_EQ(faultWith("watch", "no"), "parameter /e/watch: expected true or false");
   EXPECT_EQ(faultWith("max_replans", 1.5),
             "parameter /e/max_replans: expected a whole number from 0 to 1000");
-  EXPECT_EQ(faultWith("aligner", ""),
-            "parameter /e/aligner: expected the name of the aligner's node");
+  for (const char* name : {"", "my-robot", "~aligner", "1st"}) {
+    EXPECT_EQ(faultWith("aligner", name),
+              "parameter /e/aligner: expected the name of the aligner's node");
+  }
 }
 
 TEST(ExecutorOptions, knowWhatNobodyReads) {

@@ -74,6 +74,20 @@ TEST_F(Stage, refusesWhatCantBe) {
   EXPECT_EQ(refusal({"base", {}, std::string("gripper")}), "the frame base would hang from itself");
 }
 
+TEST_F(Stage, refusesMotionsThatTogetherMakeACircle) {
+  stage_.add("tray", "map", pose("[1, 1, 0]"));
+  EXPECT_EQ(faultOfCall([&] {
+              stage_.begin({{"cup", {}, std::string("tray")}, {"tray", {}, std::string("cup")}});
+            }),
+            "the frame cup would hang from itself");
+  stage_.finish();
+  EXPECT_EQ(frame("cup").header.frame_id, "map") << "nothing has moved";
+  stage_.begin({{"cup", {}, std::string("tray")}, {"tray", {}, std::string("gripper")}});
+  stage_.finish();
+  EXPECT_EQ(frame("cup").header.frame_id, "tray");
+  EXPECT_EQ(frame("tray").header.frame_id, "gripper");
+}
+
 TEST(Pose, hasThreeForms) {
   const auto read = [](const std::string& yaml) { return poseOf(YAML::Load(yaml), "p"); };
   EXPECT_EQ(read("").getOrigin(), tf2::Vector3(0, 0, 0));

@@ -272,6 +272,21 @@ TEST_F(Bridge, aRevisionIsForgottenWhenAnotherTaskComes) {
   EXPECT_TRUE(bridge_.take().empty());
 }
 
+TEST_F(Bridge, whatWasAcceptedIsKeptUntilTheSessionGoesOn) {
+  const auto id = bridge_.open({literal("(a)")});
+  EXPECT_TRUE(submit(Answer::Request::NO, 0, {"(b)"}).accepted);
+  EXPECT_TRUE(submit(Answer::Request::DECLINE, id).accepted);
+  bridge_.endSession();
+  EXPECT_TRUE(bridge_.revise(request(Answer::Request::NO, 0, {"(c)"})).receipt.accepted);
+  bridge_.beginSession("s");
+  bridge_.endSession();  // its goal was displaced at once
+  bridge_.beginSession("s");
+  const auto kept = bridge_.take();
+  ASSERT_EQ(kept.size(), 2U) << "whom it was said to declined the session that has ended";
+  EXPECT_EQ(kept[0].fluents, std::vector<Literal>{literal("(b)")});
+  EXPECT_EQ(kept[1].fluents, std::vector<Literal>{literal("(c)")});
+}
+
 TEST_F(Bridge, waitsEndByInterruptAndByTime) {
   EXPECT_EQ(bridge_.wait(Clock::now()), QuestionBridge::Wake::TimedOut);
   std::thread interrupter([this] { bridge_.interrupt(); });
