@@ -302,11 +302,7 @@ void AlignmentView::showHeader() {
 void AlignmentView::showCards() {
   const bool there = presence_ == Presence::There;
   const bool absent = presence_ == Presence::Absent;
-  if (absent) {
-    question_card_->show(Question());
-  } else if (question_card_->questionId() != question_->question_id) {
-    question_card_->show(*question_);
-  }
+  question_card_->show(absent ? Question() : *question_);
   question_card_->setAnswerable(there);
   outcome_card_->show(*state_);
   outcome_card_->setEnabled(there);
