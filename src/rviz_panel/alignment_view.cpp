@@ -232,14 +232,17 @@ void AlignmentView::beginExecution() {
 
 void AlignmentView::showExecution(const ExecutePlanFeedback& feedback) {
   executing_ = true;
+  // A plan that this one displaces ends after its goal was heard.
+  execution_end_.clear();
   plan_->steps().hear(feedback);
   showHeader();
+  showPlanTab();
 }
 
 void AlignmentView::endExecution(const ExecutePlanResult& result) {
   executing_ = false;
   const bool success = result.outcome == ExecutePlanResult::SUCCESS;
-  plan_->steps().end(success, result.failed_step);
+  plan_->steps().end(result);
   execution_end_ =
       success ? QStringLiteral("Carried out.")
               : QStringLiteral("Not carried out: %1").arg(QString::fromStdString(result.reason));

@@ -291,6 +291,7 @@ TEST_F(View, thePlanShowsItsStepInExecution) {
   EXPECT_EQ(find<QTabWidget>("tabs")->tabText(2), "Plan (40)");
   view_.beginExecution();
   ExecutePlanFeedback feedback;
+  feedback.plan_id = 1;
   feedback.step = 30;
   feedback.status = ActionFeedback::ACTION_ENABLED;
   view_.showExecution(feedback);
@@ -307,6 +308,28 @@ TEST_F(View, thePlanShowsItsStepInExecution) {
   result.reason = "the cup slipped";
   view_.endExecution(result);
   EXPECT_TRUE(textOf("plan_note").contains("the cup slipped"));
+}
+
+TEST_F(View, theEndOfADisplacedPlanIsForgottenWhenTheNewOneGoesOn) {
+  show(stateWith(3));
+  auto plan = planOf(3);
+  plan->plan_id = 2;
+  view_.showPlan(plan);
+  view_.beginExecution();
+  ExecutePlanResult displaced;
+  displaced.outcome = ExecutePlanResult::CANCELED;
+  displaced.failed_step = 2;
+  displaced.reason = "displaced by a newer plan";
+  displaced.plan.plan_id = 1;
+  view_.endExecution(displaced);
+  EXPECT_TRUE(textOf("plan_note").contains("displaced"));
+  ExecutePlanFeedback feedback;
+  feedback.plan_id = 2;
+  feedback.step = 0;
+  feedback.status = ActionFeedback::ACTION_ENABLED;
+  view_.showExecution(feedback);
+  EXPECT_EQ(textOf("status"), "Carrying out step 1 of 3");
+  EXPECT_FALSE(textOf("plan_note").contains("displaced"));
 }
 
 TEST_F(View, aPlanWithoutStepsIsAPlan) {
