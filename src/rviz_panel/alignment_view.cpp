@@ -166,8 +166,8 @@ void AlignmentView::clear() {
   showState(boost::make_shared<AlignmentState>());
 }
 
-void AlignmentView::showNameFault(const QString& fault) {
-  tell(fault);
+void AlignmentView::showFault(const QString& fault) {
+  tell(sentence(fault));
 }
 
 void AlignmentView::showPresence(Presence presence) {

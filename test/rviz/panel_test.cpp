@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The panel in rviz, before a person with a mouse and a keyboard.
+#include <std_msgs/String.h>
+
 #include <QTabWidget>
 #include <QTableView>
 #include <algorithm>
@@ -189,6 +191,20 @@ TEST_F(PanelInRviz, theAlignerDiesAndComesBack) {
   ASSERT_NO_FATAL_FAILURE(sendAndAwaitQuestion(sweepHall()));
   ASSERT_NO_FATAL_FAILURE(clickOn(part("no")));
   EXPECT_TRUE(isDone(AlignResult::SUCCESS));
+}
+
+// As another panel or display of the same rviz may.
+TEST_F(PanelInRviz, aTopicHeardAsAnotherTypeIsSaidAndTheNextAlignerIsHeard) {
+  const boost::function<void(const std_msgs::String::ConstPtr&)> hear =
+      [](const std_msgs::String::ConstPtr& /*text*/) {};
+  const ros::Subscriber other = node_.subscribe<std_msgs::String>("/odd/plan", 1, hear);
+  ASSERT_NO_FATAL_FAILURE(startAligner());
+  ASSERT_NO_FATAL_FAILURE(startRviz(configFor({"/odd", "/goal_alignment"})));
+  EXPECT_TRUE(comesTrue([this] { return textOf("notice").contains("/odd/plan"); }));
+  EXPECT_TRUE(shows("notice"));
+  savePicture("other_type");
+  send(sweepHall());
+  EXPECT_TRUE(asks("matter", 1));
 }
 
 TEST_F(PanelInRviz, eachPanelSpeaksWithItsOwnRobot) {
