@@ -109,6 +109,25 @@ TEST_F(PanelInRviz, ofAGroupTheTickedOnesMatter) {
   EXPECT_TRUE(becomes(left, Candidate::NOT_WANTED));
 }
 
+TEST_F(PanelInRviz, whatIsVolunteeredOfAGroupIsAskedNoMoreAndTheRestCanBeAnswered) {
+  ASSERT_NO_FATAL_FAILURE(begin());
+  ASSERT_NO_FATAL_FAILURE(sendAndAwaitQuestion(lightInGroups()));
+  std::vector<std::string> asked;
+  for (const char* lamp : {"(lit a1)", "(lit a2)", "(lit b1)", "(lit b2)"})
+    if (part(lamp) != nullptr) asked.emplace_back(lamp);
+  ASSERT_EQ(asked.size(), 2U);
+  const QString volunteered = QString::fromStdString(asked[0]);
+  ASSERT_TRUE(comesTrue([&] { return rowWith("candidates", volunteered) >= 0; }));
+  clickCell("candidates", rowWith("candidates", volunteered), kPhraseColumn, kRightButton);
+  ASSERT_NO_FATAL_FAILURE(choose("It matters to me"));
+  EXPECT_TRUE(becomes(asked[0], Candidate::WANTED));
+  EXPECT_TRUE(comesTrue([&] { return part(volunteered) == nullptr; }));
+  EXPECT_EQ(candidateState(asked[1]), Candidate::ASKED);
+  savePicture("narrowed");
+  ASSERT_NO_FATAL_FAILURE(clickOn(part("no")));
+  EXPECT_TRUE(becomes(asked[1], Candidate::NOT_WANTED));
+}
+
 TEST_F(PanelInRviz, whatNobodyAskedIsVolunteeredFromTheTable) {
   ASSERT_NO_FATAL_FAILURE(begin());
   ASSERT_NO_FATAL_FAILURE(sendAndAwaitQuestion(lightLamps()));
