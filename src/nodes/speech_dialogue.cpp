@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "speech_dialogue");
   try {
     goal_alignment::ros_interface::SpeechDialogue dialogue{ros::NodeHandle{}, ros::NodeHandle{"~"}};
-    ros::AsyncSpinner spinner(3);  // a second asker waits for the first, while words come in
+    ros::AsyncSpinner spinner(3);  // a second asker waits for the first
     spinner.start();
     dialogue.run();
     spinner.stop();

@@ -6,6 +6,7 @@
 #include <ros/init.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -31,8 +32,17 @@ phrasing::Vocabulary vocabularyOf(const std::string& file) {
 std::vector<std::string> clausesOf(const Question& question) {
   std::vector<std::string> clauses;
   for (const Fluent& fluent : question.fluents)
-    clauses.push_back(fluent.text.empty() ? toLiteral(fluent).text() : fluent.text);
+    clauses.push_back(fluent.text);
   return clauses;
+}
+
+// Where nobody has put a fluent in words, its PDDL is said.
+Question withTexts(Question question, const std::vector<Literal>& fluents) {
+  for (std::size_t i = 0; i < fluents.size(); ++i) {
+    std::string& text = question.fluents[i].text;
+    if (text.empty()) text = fluents[i].text();
+  }
+  return question;
 }
 
 std::chrono::steady_clock::time_point after(double seconds) {
@@ -47,32 +57,44 @@ SpeechDialogue::SpeechDialogue(ros::NodeHandle node, ros::NodeHandle private_nod
     : options_(SpeechOptions::read(private_node)),
       vocabulary_(vocabularyOf(options_.vocabulary)),
       said_(private_node.advertise<std_msgs::String>(kSaidTopic, kQueueSize)),
-      recognised_(node.subscribe(kRecognisedSpeechTopic, kQueueSize, &SpeechDialogue::hear, this)),
-      watch_(node, [this] { changed_.notify_all(); }) {
+      watch_(node, [this] { changed_.notify_all(); }),
+      listener_(1, &recognitions_) {
   for (const std::string& key : options_.unknown)
     ROS_WARN("parameter %s/%s: there is no such parameter", private_node.getNamespace().c_str(),
              key.c_str());
   service_ = node.advertiseService(kAskHumanService, &SpeechDialogue::ask, this);
+  node.setCallbackQueue(&recognitions_);
+  recognised_ = node.subscribe(kRecognisedSpeechTopic, kQueueSize, &SpeechDialogue::hear, this);
+  listener_.start();
 }
 
 bool SpeechDialogue::ask(AskHuman::Request& request, AskHuman::Response& response) {
   response.answer = AskHuman::Response::NONE;
   if (request.question.question_id == 0) return true;  // no question: there is nothing to wait for
+  std::vector<Literal> fluents;
+  try {
+    fluents = toLiterals(request.question.fluents, "question.fluents");
+  } catch (const std::invalid_argument& error) {
+    ROS_WARN("question %u is left unanswered: %s", request.question.question_id, error.what());
+    response = responseTo(request.question, fluents, std::nullopt);
+    return true;
+  }
   const std::lock_guard<std::mutex> one_at_a_time(asking_);
   std::unique_lock<std::mutex> lock(mutex_);
-  question_ = request.question;
+  question_ = withTexts(request.question, fluents);
   reply_.reset();
   finished_ = false;
   changed_.notify_all();
-  while (!finished_ && ros::ok())
+  while (!finished_ && !ended_ && ros::ok())
     changed_.wait_for(lock, kTick);
   question_.reset();
-  response = responseTo(request.question, reply_);
+  response = responseTo(request.question, fluents, reply_);
   return true;
 }
 
 // Without a reply the question is left as it is.
 AskHuman::Response SpeechDialogue::responseTo(const Question& question,
+                                              const std::vector<Literal>& fluents,
                                               const std::optional<phrasing::Reply>& reply) const {
   AskHuman::Response response;
   response.answer =
@@ -81,7 +103,7 @@ AskHuman::Response SpeechDialogue::responseTo(const Question& question,
   response.answered_by = question.person.empty() ? options_.person : question.person;
   if (!reply) return response;
   for (const std::size_t index : reply->chosen)
-    response.fluents.push_back(toLiteral(question.fluents.at(index)).text());
+    response.fluents.push_back(fluents.at(index).text());
   return response;
 }
 
@@ -98,9 +120,14 @@ void SpeechDialogue::hear(const std_msgs::String::ConstPtr& text) {
 }
 
 void SpeechDialogue::run() {
-  while (ros::ok()) {
-    const auto question = awaitQuestion();
-    if (question) finish(converse(*question));
+  try {
+    while (ros::ok()) {
+      const auto question = awaitQuestion();
+      if (question) finish(converse(*question));
+    }
+  } catch (...) {
+    endSpeaking();  // or the threads of the callbacks could not be joined
+    throw;
   }
   speech_.stop();
 }
@@ -219,6 +246,14 @@ void SpeechDialogue::finish(const std::optional<phrasing::Reply>& reply) {
     heard_.clear();
     reply_ = reply;
     finished_ = true;
+  }
+  changed_.notify_all();
+}
+
+void SpeechDialogue::endSpeaking() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ended_ = true;
   }
   changed_.notify_all();
 }

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -91,10 +92,18 @@ void AlignerLink::subscribe() {
   first_message_.invalidate();
   const unsigned generation = ++shared_->generation;
   emit cleared();
-  worker_.add([shared = shared_, generation, aligner = aligner_, listener = listener()] {
+  const auto fail = [this, shared = shared_, generation](const QString& why) {
+    if (generation == shared->generation) emit failed(why);
+  };
+  worker_.add([shared = shared_, mailbox = mailbox_, generation, aligner = aligner_,
+               listener = listener(), fail] {
     shared->replaceTopics(nullptr);
     if (generation != shared->generation || aligner.empty()) return;
-    shared->replaceTopics(std::make_shared<AlignerTopics>(aligner, listener));
+    try {
+      shared->replaceTopics(std::make_shared<AlignerTopics>(aligner, listener));
+    } catch (const std::exception& error) {  // nobody is above to catch it: rviz would end
+      mailbox->post([fail, why = QString::fromStdString(error.what())] { fail(why); });
+    }
   });
 }
 

@@ -48,6 +48,8 @@ class AlignerLink : public QObject {
  signals:
   /// All that was heard so far is of no account any more.
   void cleared();
+  /// Nothing can be heard of the aligner; `why` is for people.
+  void failed(const QString& why);
   void presenceChanged(goal_alignment::rviz_panel::AlignerLink::Presence presence);
   void stateHeard(const goal_alignment::AlignmentState::ConstPtr& state);
   void questionHeard(const goal_alignment::Question::ConstPtr& question);

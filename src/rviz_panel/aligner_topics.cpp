@@ -2,8 +2,10 @@
 #include "aligner_topics.h"
 
 #include <actionlib_msgs/GoalID.h>
+#include <ros/exceptions.h>
 #include <ros/names.h>
 
+#include <stdexcept>
 #include <utility>
 
 #include "names.h"
@@ -24,7 +26,11 @@ ros::Subscriber AlignerTopics::listen(
     const std::string& topic,
     const std::function<void(const boost::shared_ptr<const Message>&)>& hear) {
   const boost::function<void(const boost::shared_ptr<const Message>&)> callback = hear;
-  return node_.subscribe<Message>(topic, kQueueSize, callback);
+  try {
+    return node_.subscribe<Message>(topic, kQueueSize, callback);
+  } catch (const ros::Exception& error) {
+    throw std::runtime_error("can't listen to " + topic + ": " + error.what());
+  }
 }
 
 AlignerTopics::AlignerTopics(const std::string& aligner, Listener listener)

@@ -38,7 +38,8 @@ struct Listener {
 /// Construction and destruction talk to the master and may hang with it.
 class AlignerTopics {
  public:
-  /// `aligner`: the resolved name of the node.
+  /// `aligner`: the resolved name of the node. Throws std::runtime_error that names the topic
+  /// where something else in this process listens to one of them as to another type.
   AlignerTopics(const std::string& aligner, Listener listener);
   ~AlignerTopics();
   AlignerTopics(const AlignerTopics&) = delete;

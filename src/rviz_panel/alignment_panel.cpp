@@ -32,6 +32,7 @@ AlignmentPanel::AlignmentPanel(QWidget* parent)
 
 void AlignmentPanel::connectParts() {
   connect(link_, &AlignerLink::cleared, view_, &AlignmentView::clear);
+  connect(link_, &AlignerLink::failed, view_, &AlignmentView::showFault);
   connect(link_, &AlignerLink::presenceChanged, view_, &AlignmentView::showPresence);
   connect(link_, &AlignerLink::stateHeard, view_, &AlignmentView::showState);
   connect(link_, &AlignerLink::questionHeard, view_, &AlignmentView::showQuestion);
@@ -68,7 +69,7 @@ void AlignmentPanel::connectParts() {
 void AlignmentPanel::connectTo(const QString& aligner) {
   aligner_ = aligner;
   const QString fault = link_->connectTo(aligner);
-  if (!fault.isEmpty()) view_->showNameFault(fault);
+  if (!fault.isEmpty()) view_->showFault(fault);
 }
 
 // load() comes before or after it, or not at all for a panel that was just added.

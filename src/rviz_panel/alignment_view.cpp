@@ -166,8 +166,8 @@ void AlignmentView::clear() {
   showState(boost::make_shared<AlignmentState>());
 }
 
-void AlignmentView::showNameFault(const QString& fault) {
-  tell(fault);
+void AlignmentView::showFault(const QString& fault) {
+  tell(sentence(fault));
 }
 
 void AlignmentView::showPresence(Presence presence) {
@@ -232,14 +232,17 @@ void AlignmentView::beginExecution() {
 
 void AlignmentView::showExecution(const ExecutePlanFeedback& feedback) {
   executing_ = true;
+  // A plan that this one displaces ends after its goal was heard.
+  execution_end_.clear();
   plan_->steps().hear(feedback);
   showHeader();
+  showPlanTab();
 }
 
 void AlignmentView::endExecution(const ExecutePlanResult& result) {
   executing_ = false;
   const bool success = result.outcome == ExecutePlanResult::SUCCESS;
-  plan_->steps().end(success, result.failed_step);
+  plan_->steps().end(result);
   execution_end_ =
       success ? QStringLiteral("Carried out.")
               : QStringLiteral("Not carried out: %1").arg(QString::fromStdString(result.reason));
@@ -302,11 +305,7 @@ void AlignmentView::showHeader() {
 void AlignmentView::showCards() {
   const bool there = presence_ == Presence::There;
   const bool absent = presence_ == Presence::Absent;
-  if (absent) {
-    question_card_->show(Question());
-  } else if (question_card_->questionId() != question_->question_id) {
-    question_card_->show(*question_);
-  }
+  question_card_->show(absent ? Question() : *question_);
   question_card_->setAnswerable(there);
   outcome_card_->show(*state_);
   outcome_card_->setEnabled(there);

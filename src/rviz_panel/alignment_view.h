@@ -26,11 +26,11 @@ class AlignmentView : public QWidget {
   QString answeredBy() const { return answered_by_->text(); }
   void setAligner(const QString& name) { aligner_->setText(name); }
   void setAnsweredBy(const QString& name) { answered_by_->setText(name); }
-  /// The name of the aligner is no name; "" where it is.
-  void showNameFault(const QString& fault);
 
  public slots:
   void clear();
+  /// Why nothing of the aligner can be shown.
+  void showFault(const QString& fault);
   void showPresence(goal_alignment::rviz_panel::AlignerLink::Presence presence);
   void showState(const goal_alignment::AlignmentState::ConstPtr& state);
   void showQuestion(const goal_alignment::Question::ConstPtr& question);

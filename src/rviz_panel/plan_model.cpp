@@ -39,15 +39,19 @@ void PlanModel::begin() {
 }
 
 void PlanModel::hear(const ExecutePlanFeedback& feedback) {
+  if (feedback.plan_id != plan_->plan_id) return;
   if (feedback.step >= 0 && feedback.step < rowCount())
     move(feedback.step, progressFor(feedback.status));
 }
 
-void PlanModel::end(bool success, int failed_step) {
-  if (success) {
+void PlanModel::end(const ExecutePlanResult& result) {
+  // An execution that could not be finished in order names no plan.
+  const bool names_plan = result.plan.plan_id != 0 || !result.plan.steps.empty();
+  if (names_plan && result.plan.plan_id != plan_->plan_id) return;
+  if (result.outcome == ExecutePlanResult::SUCCESS) {
     move(rowCount() - 1, Progress::Done);
-  } else if (failed_step >= 0 && failed_step < rowCount()) {
-    move(failed_step, Progress::Failed);
+  } else if (result.failed_step >= 0 && result.failed_step < rowCount()) {
+    move(result.failed_step, Progress::Failed);
   } else if (of_step_ == Progress::Running) {
     move(step_, Progress::Failed);
   }

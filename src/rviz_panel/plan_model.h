@@ -5,6 +5,7 @@
 #include <boost/make_shared.hpp>
 
 #include "goal_alignment/ExecutePlanFeedback.h"
+#include "goal_alignment/ExecutePlanResult.h"
 #include "goal_alignment/Plan.h"
 
 namespace goal_alignment::rviz_panel {
@@ -24,9 +25,9 @@ class PlanModel : public QAbstractTableModel {
   void clear();
   /// Execution begins at the first step.
   void begin();
+  /// Of another plan: nothing changes, since its steps are not these.
   void hear(const ExecutePlanFeedback& feedback);
-  /// The execution ended; `failed_step` -1: none did, or it never began.
-  void end(bool success, int failed_step);
+  void end(const ExecutePlanResult& result);
 
   const Plan& plan() const { return *plan_; }
   /// Index of the step in execution, -1: none.

@@ -29,6 +29,13 @@ QString countLine(const Question& question) {
   return text;
 }
 
+QStringList literalsOf(const std::vector<Fluent>& fluents) {
+  QStringList texts;
+  for (const Fluent& fluent : fluents)
+    texts << pddlOf(fluent);
+  return texts;
+}
+
 }  // namespace
 
 QuestionCard::QuestionCard(QWidget* parent)
@@ -80,29 +87,35 @@ QPushButton* QuestionCard::addButton(const QString& text, const QString& name, c
 }
 
 void QuestionCard::show(const Question& question) {
+  const bool same = question.question_id == id_;
   id_ = question.question_id;
   setVisible(id_ != 0);
   if (id_ == 0) return;
   count_->say(countLine(question));
   text_->say(QString::fromStdString(question.text));
   why_->say(QString::fromStdString(question.why));
-  showTicks(question);
-  setWaiting(false);
+  if (!same) {
+    showTicks(question, {});
+    setWaiting(false);
+  } else if (literalsOf(question.fluents) != fluents_) {
+    showTicks(question, ticked());
+    labelButtons();
+  }
 }
 
-void QuestionCard::showTicks(const Question& question) {
+void QuestionCard::showTicks(const Question& question, const QStringList& ticked_before) {
   boxes_.clear();
-  fluents_.clear();
+  fluents_ = literalsOf(question.fluents);
   auto* ticks = new QWidget;
   auto* layout = new QVBoxLayout(ticks);
   layout->setContentsMargins(0, 0, 0, 0);
   const bool group = question.fluents.size() > 1;
-  for (const Fluent& fluent : question.fluents) {
-    fluents_ << pddlOf(fluent);
-    if (!group) continue;
+  for (int i = 0; group && i < fluents_.size(); ++i) {
+    const Fluent& fluent = question.fluents[static_cast<std::size_t>(i)];
     auto* box = new TickBox(sentence(phraseOf(fluent)), ticks);
-    box->setObjectName(fluents_.last());
-    box->setToolTip(fluents_.last());
+    box->setObjectName(fluents_[i]);
+    box->setToolTip(fluents_[i]);
+    box->setTicked(ticked_before.contains(fluents_[i]));
     connect(box, &TickBox::toggled, this, &QuestionCard::labelButtons);
     layout->addWidget(box);
     boxes_.push_back(box);

@@ -18,9 +18,9 @@ class QuestionCard : public Card {
  public:
   explicit QuestionCard(QWidget* parent = nullptr);
 
-  /// question_id 0: none is open, and the card hides.
+  /// question_id 0: none is open, and the card hides. With the id that is shown already, the
+  /// question may have changed, for others answer parts of it: what is still asked stays ticked.
   void show(const Question& question);
-  std::uint32_t questionId() const { return id_; }
 
   /// An answer is on its way: no second one until the question changes or it was refused.
   void setWaiting(bool waiting);
@@ -33,7 +33,7 @@ class QuestionCard : public Card {
 
  private:
   QPushButton* addButton(const QString& text, const QString& name, const QString& key);
-  void showTicks(const Question& question);
+  void showTicks(const Question& question, const QStringList& ticked_before);
   QStringList ticked() const;
   void labelButtons();
   void answerYes();

@@ -75,6 +75,7 @@ class TickBox : public QWidget {
  public:
   explicit TickBox(const QString& text, QWidget* parent = nullptr);
   bool isTicked() const { return box_->isChecked(); }
+  void setTicked(bool ticked) { box_->setChecked(ticked); }
 
  signals:
   void toggled();

@@ -6,19 +6,49 @@
 #include <signal.h>
 #include <std_msgs/String.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <filesystem>
+#include <list>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "aligner_calls.h"
+#include "goal_alignment/AskHuman.h"
 #include "program.h"
 
 namespace goal_alignment::test {
 namespace {
 
 constexpr const char* kNode = "/speech_dialogue";
+
+/// Calls ask_human as no aligner would, in a thread of its own.
+class Asker {
+ public:
+  Asker(std::uint32_t question_id, const std::vector<Fluent>& fluents) {
+    Question& question = call_.request.question;
+    question.header.stamp = ros::Time::now();
+    question.question_id = question_id;
+    question.fluents = fluents;
+    question.text = "Does it matter to you?";
+    thread_ = std::thread([this] { has_reply_ = ros::service::call("/ask_human", call_); });
+  }
+  ~Asker() { thread_.join(); }
+  Asker(const Asker&) = delete;
+  Asker& operator=(const Asker&) = delete;
+
+  bool hasReply() const { return has_reply_; }
+  /// Once there is one.
+  const AskHuman::Response& reply() const { return call_.response; }
+
+ private:
+  AskHuman call_;
+  std::atomic<bool> has_reply_{false};
+  std::thread thread_;
+};
 
 class Speech : public Scenario {
  protected:
@@ -40,6 +70,7 @@ class Speech : public Scenario {
     release();
     Scenario::TearDown();
     dialogue_.reset();
+    askers_.clear();  // nobody is there any more whom they could wait for
     ros::param::del(kNode);
   }
 
@@ -67,6 +98,10 @@ class Speech : public Scenario {
     // Until its log reaches us.
     ASSERT_TRUE(speakUntil("testing", [this] { return wasNotListenedTo("testing"); }));
     ASSERT_TRUE(isNotListenedTo("tested"));
+  }
+
+  Asker& ask(std::uint32_t question_id, const std::vector<Fluent>& fluents) {
+    return askers_.emplace_back(question_id, fluents);
   }
 
   void speak(const std::string& text) {
@@ -124,6 +159,7 @@ class Speech : public Scenario {
   Topic<rosgraph_msgs::Log> log_;
   ros::Publisher recogniser_;
   std::unique_ptr<Program> dialogue_;
+  std::list<Asker> askers_;
 };
 
 std::string answererOf(const AlignResult& result, const std::string& name) {
@@ -218,6 +254,55 @@ TEST_F(Speech, takesNumbersAndNamesForAGroup) {
     }
     // What was said too often must not answer the next question.
     EXPECT_TRUE(isNotListenedTo(std::string("enough of ") + answer));
+  }
+}
+
+TEST_F(Speech, leavesAQuestionWithoutAProperFluentUnansweredAndTakesTheNext) {
+  start();
+  Fluent with_text;
+  with_text.text = "nothing in particular";
+  for (const Fluent& bad : {Fluent(), with_text, fluent("quiet", {"a room"})}) {
+    Asker& asker = ask(5, {fluent("quiet", {"hall"}), bad});
+    ASSERT_TRUE(eventually([&] { return asker.hasReply(); }));
+    EXPECT_EQ(int{asker.reply().answer}, AskHuman::Response::NONE);
+    EXPECT_EQ(asker.reply().question_id, 5U);
+  }
+  EXPECT_TRUE(log_.waitFor([](const rosgraph_msgs::Log& line) {
+    return line.name == kNode && line.level == rosgraph_msgs::Log::WARN &&
+           line.msg.find("question 5 is left unanswered: question.fluents[1]: ") == 0;
+  }));
+  sendAndAwaitQuestion(sweepHall());
+  EXPECT_TRUE(speakUntil("no", [this] { return isOver(); }));
+  EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
+}
+
+TEST_F(Speech, saysTheNameOfAFluentThatHasNoText) {
+  start();
+  Asker& asker = ask(5, {fluent("quiet", {"hall"}), fluent("lit", {"a1"})});
+  EXPECT_TRUE(says("(lit a1)"));
+  ASSERT_TRUE(speakUntil("the first one", [&] { return asker.hasReply(); }));
+  EXPECT_EQ(int{asker.reply().answer}, AskHuman::Response::YES);
+  EXPECT_EQ(asker.reply().fluents, std::vector<std::string>{"(quiet hall)"});
+}
+
+TEST_F(Speech, hearsWhileManyAskersWait) {
+  start();
+  hold();
+  constexpr std::uint32_t kAskers = 4;
+  for (std::uint32_t id = 1; id <= kAskers; ++id)
+    ask(id, {fluent("quiet", {"hall"})});
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file("pid.0")); }));
+  ros::WallDuration(0.5).sleep();  // until the others wait; were they late, this would show less
+  EXPECT_TRUE(isNotListenedTo("too early"));
+  release();
+  ASSERT_TRUE(speakUntil("no", [this] {
+    return std::all_of(askers_.begin(), askers_.end(),
+                       [](const Asker& asker) { return asker.hasReply(); });
+  }));
+  std::uint32_t id = 0;
+  for (const Asker& asker : askers_) {
+    EXPECT_EQ(int{asker.reply().answer}, AskHuman::Response::NO);
+    EXPECT_EQ(asker.reply().question_id, ++id);
   }
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The panel in rviz, before a person with a mouse and a keyboard.
+#include <std_msgs/String.h>
+
 #include <QTabWidget>
 #include <QTableView>
 #include <algorithm>
@@ -107,6 +109,25 @@ TEST_F(PanelInRviz, ofAGroupTheTickedOnesMatter) {
   EXPECT_TRUE(becomes(left, Candidate::NOT_WANTED));
 }
 
+TEST_F(PanelInRviz, whatIsVolunteeredOfAGroupIsAskedNoMoreAndTheRestCanBeAnswered) {
+  ASSERT_NO_FATAL_FAILURE(begin());
+  ASSERT_NO_FATAL_FAILURE(sendAndAwaitQuestion(lightInGroups()));
+  std::vector<std::string> asked;
+  for (const char* lamp : {"(lit a1)", "(lit a2)", "(lit b1)", "(lit b2)"})
+    if (part(lamp) != nullptr) asked.emplace_back(lamp);
+  ASSERT_EQ(asked.size(), 2U);
+  const QString volunteered = QString::fromStdString(asked[0]);
+  ASSERT_TRUE(comesTrue([&] { return rowWith("candidates", volunteered) >= 0; }));
+  clickCell("candidates", rowWith("candidates", volunteered), kPhraseColumn, kRightButton);
+  ASSERT_NO_FATAL_FAILURE(choose("It matters to me"));
+  EXPECT_TRUE(becomes(asked[0], Candidate::WANTED));
+  EXPECT_TRUE(comesTrue([&] { return part(volunteered) == nullptr; }));
+  EXPECT_EQ(candidateState(asked[1]), Candidate::ASKED);
+  savePicture("narrowed");
+  ASSERT_NO_FATAL_FAILURE(clickOn(part("no")));
+  EXPECT_TRUE(becomes(asked[1], Candidate::NOT_WANTED));
+}
+
 TEST_F(PanelInRviz, whatNobodyAskedIsVolunteeredFromTheTable) {
   ASSERT_NO_FATAL_FAILURE(begin());
   ASSERT_NO_FATAL_FAILURE(sendAndAwaitQuestion(lightLamps()));
@@ -189,6 +210,20 @@ TEST_F(PanelInRviz, theAlignerDiesAndComesBack) {
   ASSERT_NO_FATAL_FAILURE(sendAndAwaitQuestion(sweepHall()));
   ASSERT_NO_FATAL_FAILURE(clickOn(part("no")));
   EXPECT_TRUE(isDone(AlignResult::SUCCESS));
+}
+
+// As another panel or display of the same rviz may.
+TEST_F(PanelInRviz, aTopicHeardAsAnotherTypeIsSaidAndTheNextAlignerIsHeard) {
+  const boost::function<void(const std_msgs::String::ConstPtr&)> hear =
+      [](const std_msgs::String::ConstPtr& /*text*/) {};
+  const ros::Subscriber other = node_.subscribe<std_msgs::String>("/odd/plan", 1, hear);
+  ASSERT_NO_FATAL_FAILURE(startAligner());
+  ASSERT_NO_FATAL_FAILURE(startRviz(configFor({"/odd", "/goal_alignment"})));
+  EXPECT_TRUE(comesTrue([this] { return textOf("notice").contains("/odd/plan"); }));
+  EXPECT_TRUE(shows("notice"));
+  savePicture("other_type");
+  send(sweepHall());
+  EXPECT_TRUE(asks("matter", 1));
 }
 
 TEST_F(PanelInRviz, eachPanelSpeaksWithItsOwnRobot) {

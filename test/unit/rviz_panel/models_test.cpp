@@ -174,8 +174,17 @@ PlanModel::Progress progress(const PlanModel& model, int row) {
 
 ExecutePlanFeedback feedback(int step, int status) {
   ExecutePlanFeedback message;
+  message.plan_id = 1;
   message.step = step;
   message.status = static_cast<std::uint8_t>(status);
+  return message;
+}
+
+ExecutePlanResult result(int outcome, int failed_step = -1, int plan_id = 1) {
+  ExecutePlanResult message;
+  message.outcome = static_cast<std::uint16_t>(outcome);
+  message.failed_step = failed_step;
+  message.plan.plan_id = plan_id;
   return message;
 }
 
@@ -192,7 +201,7 @@ TEST(PlanModel, followsTheExecution) {
   EXPECT_EQ(progress(model, 1), PlanModel::Progress::Failed);
   model.begin();
   EXPECT_EQ(progress(model, 0), PlanModel::Progress::Ahead);
-  model.end(true, -1);
+  model.end(result(ExecutePlanResult::SUCCESS));
   EXPECT_EQ(progress(model, 2), PlanModel::Progress::Done);
 }
 
@@ -208,8 +217,30 @@ TEST(PlanModel, whatWasStoppedHasFailedInItsStep) {
   PlanModel model;
   model.show(planOf(3));
   model.hear(feedback(1, ActionFeedback::ACTION_ENABLED));
-  model.end(false, -1);
+  model.end(result(ExecutePlanResult::CANCELED));
   EXPECT_EQ(progress(model, 1), PlanModel::Progress::Failed);
+  EXPECT_EQ(progress(model, 2), PlanModel::Progress::Ahead);
+}
+
+TEST(PlanModel, whatEndsWithoutAPlanHasFailedInItsStep) {
+  PlanModel model;
+  model.show(planOf(3));
+  model.hear(feedback(1, ActionFeedback::ACTION_ENABLED));
+  model.end(result(ExecutePlanResult::INTERNAL, -1, 0));
+  EXPECT_EQ(progress(model, 1), PlanModel::Progress::Failed);
+}
+
+TEST(PlanModel, whatIsHeardOfAnotherPlanMarksNothing) {
+  auto plan = planOf(3);
+  plan->plan_id = 2;
+  PlanModel model;
+  model.show(plan);
+  model.hear(feedback(1, ActionFeedback::ACTION_ENABLED));
+  EXPECT_EQ(model.runningStep(), -1);
+  EXPECT_EQ(progress(model, 0), PlanModel::Progress::Ahead);
+  model.end(result(ExecutePlanResult::SUCCESS));
+  model.end(result(ExecutePlanResult::STEP_FAILED, 0));
+  EXPECT_EQ(progress(model, 0), PlanModel::Progress::Ahead);
   EXPECT_EQ(progress(model, 2), PlanModel::Progress::Ahead);
 }
 

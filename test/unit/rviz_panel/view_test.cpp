@@ -181,6 +181,52 @@ TEST_F(View, ofAGroupNoneTickedIsNo) {
   EXPECT_TRUE(answers[0][2].toStringList().isEmpty());
 }
 
+// Somebody volunteered an answer for a part of it.
+TEST_F(View, aGroupThatNarrowsKeepsItsTicksAndOffersNoMoreThanIsAsked) {
+  QSignalSpy answers(&view_, &AlignmentView::answered);
+  ask(questionAbout(7, {fluent("a", {}), fluent("b", {}), fluent("c", {})}));
+  find<TickBox>("(a)")->setTicked(true);
+  find<TickBox>("(c)")->setTicked(true);
+  auto narrowed = questionAbout(7, {fluent("b", {}), fluent("c", {})});
+  narrowed->text = "Which of these two matter to you?";
+  narrowed->why = "They are left.";
+  ask(narrowed);
+  EXPECT_EQ(textOf("question_text"), "Which of these two matter to you?");
+  EXPECT_EQ(textOf("question_why"), "They are left.");
+  EXPECT_EQ(view_.findChild<TickBox*>("(a)"), nullptr);
+  EXPECT_FALSE(find<TickBox>("(b)")->isTicked());
+  EXPECT_TRUE(find<TickBox>("(c)")->isTicked());
+  EXPECT_EQ(find<QPushButton>("yes")->text(), "&Yes, 1 of 2");
+  click("yes");
+  ASSERT_EQ(answers.count(), 1);
+  EXPECT_EQ(answers[0][1].toUInt(), 7U);
+  EXPECT_EQ(answers[0][2].toStringList(), QStringList({"(c)"}));
+}
+
+TEST_F(View, aGroupThatNarrowsToOneIsAskedLikeAnyOther) {
+  QSignalSpy answers(&view_, &AlignmentView::answered);
+  ask(questionAbout(7, {fluent("a", {}), fluent("b", {})}));
+  EXPECT_FALSE(find<QPushButton>("yes")->isEnabled());
+  ask(questionAbout(7, {fluent("b", {})}));
+  EXPECT_EQ(view_.findChild<TickBox*>("(b)"), nullptr);
+  EXPECT_EQ(find<QPushButton>("yes")->text(), "&Yes");
+  click("yes");
+  ASSERT_EQ(answers.count(), 1);
+  EXPECT_TRUE(answers[0][2].toStringList().isEmpty());
+}
+
+TEST_F(View, whileAnAnswerIsOnItsWayANarrowerQuestionTakesNoSecondOne) {
+  QSignalSpy answers(&view_, &AlignmentView::answered);
+  ask(questionAbout(7, {fluent("a", {}), fluent("b", {})}));
+  click("no");
+  ask(questionAbout(7, {fluent("b", {})}));
+  click("no");
+  EXPECT_EQ(answers.count(), 1);
+  view_.showReply(false, "(a) is no part of question 7");
+  click("no");
+  EXPECT_EQ(answers.count(), 2);
+}
+
 TEST_F(View, aQuestionOfAnAlignerThatIsGoneCanNotBeAnswered) {
   QSignalSpy answers(&view_, &AlignmentView::answered);
   ask(questionAbout(7, {fluent("a", {})}));
@@ -245,6 +291,7 @@ TEST_F(View, thePlanShowsItsStepInExecution) {
   EXPECT_EQ(find<QTabWidget>("tabs")->tabText(2), "Plan (40)");
   view_.beginExecution();
   ExecutePlanFeedback feedback;
+  feedback.plan_id = 1;
   feedback.step = 30;
   feedback.status = ActionFeedback::ACTION_ENABLED;
   view_.showExecution(feedback);
@@ -261,6 +308,28 @@ TEST_F(View, thePlanShowsItsStepInExecution) {
   result.reason = "the cup slipped";
   view_.endExecution(result);
   EXPECT_TRUE(textOf("plan_note").contains("the cup slipped"));
+}
+
+TEST_F(View, theEndOfADisplacedPlanIsForgottenWhenTheNewOneGoesOn) {
+  show(stateWith(3));
+  auto plan = planOf(3);
+  plan->plan_id = 2;
+  view_.showPlan(plan);
+  view_.beginExecution();
+  ExecutePlanResult displaced;
+  displaced.outcome = ExecutePlanResult::CANCELED;
+  displaced.failed_step = 2;
+  displaced.reason = "displaced by a newer plan";
+  displaced.plan.plan_id = 1;
+  view_.endExecution(displaced);
+  EXPECT_TRUE(textOf("plan_note").contains("displaced"));
+  ExecutePlanFeedback feedback;
+  feedback.plan_id = 2;
+  feedback.step = 0;
+  feedback.status = ActionFeedback::ACTION_ENABLED;
+  view_.showExecution(feedback);
+  EXPECT_EQ(textOf("status"), "Carrying out step 1 of 3");
+  EXPECT_FALSE(textOf("plan_note").contains("displaced"));
 }
 
 TEST_F(View, aPlanWithoutStepsIsAPlan) {
