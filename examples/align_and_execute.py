@@ -22,6 +22,8 @@ def result_of(name, action, goal):
 
 rospy.init_node('align_and_execute', anonymous=True)
 words = [text.strip('() ').split() for text in rospy.myargv(sys.argv)[1:]]
+if not all(words):
+    sys.exit(__doc__)
 task = HumanTask(goal=[Fluent(name=name, args=args) for name, *args in words[:1]],
                  plan=[PlanStep(name=name, args=args) for name, *args in words[1:]])
 aligned = result_of('goal_alignment/align', AlignAction, AlignGoal(task=task, max_questions=-1))

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/grounding/relaxed_reachability.h"
 
 namespace goal_alignment::alignment {
@@ -45,8 +46,9 @@ void specifyByHand(Problem& problem, const std::vector<Literal>& goal) {
   for (const Literal& literal : goal) {
     std::string why_not;
     if (problem.human.resolve(literal.atom, &why_not)) continue;
-    throw pddl::SemanticError(problem.human.problem_source, {},
-                              "the goal " + literal.text() + " has no meaning here: " + why_not);
+    throw pddl::SemanticError("the task's goal", {},
+                              shortened(literal.text()) + " has no meaning in " +
+                                  problem.human.problem_source + ": " + why_not);
   }
   problem.specified = sorted(goal);
   problem.robot.setGoal({});

@@ -44,9 +44,13 @@ std::size_t utf8Length(std::string_view text, std::size_t most) {
   return length;
 }
 
+std::string shortened(std::string_view text, std::size_t most) {
+  const std::size_t length = utf8Length(text, most);
+  return std::string(text.substr(0, length)) + (length < text.size() ? "…" : "");
+}
+
 std::string inQuotes(std::string_view text) {
-  const std::size_t length = utf8Length(text, kLongestQuote);
-  return "'" + std::string(text.substr(0, length)) + (length < text.size() ? "…'" : "'");
+  return "'" + shortened(text, kLongestQuote) + "'";
 }
 
 }  // namespace goal_alignment

@@ -29,7 +29,8 @@ const char* wordFor(std::uint8_t status) {
 StepEnd treat(const StepTry& attempt, const std::string& name, const End& end) {
   switch (end.kind) {
     case End::Kind::NoServer:
-      return {StepEnd::Kind::Failed, fmt::format("nobody offers the action {}", name)};
+      return {StepEnd::Kind::Failed, fmt::format("nobody offers the action {} of type {}", name,
+                                                 attempt.rule.action->type)};
     case End::Kind::Lost:
       return {StepEnd::Kind::Failed, fmt::format("the server of {} went away", name)};
     case End::Kind::TimedOut:

@@ -316,8 +316,9 @@ const MessageField& fieldAt(MessageTypes& types, const MessageDefinition& defini
 
 }  // namespace
 
-void checkPath(MessageTypes& types, const MessageDefinition& definition, const std::string& path) {
-  fieldAt(types, definition, path);
+std::string typeAt(MessageTypes& types, const MessageDefinition& definition,
+                   const std::string& path) {
+  return fieldAt(types, definition, path).type;
 }
 
 void checkValue(MessageTypes& types, const MessageDefinition& definition, const std::string& path,

@@ -170,6 +170,7 @@ ServiceDefinition MessageTypes::service(const std::string& type) {
   if (parts.size() != 2) throw TypeError(fmt::format("{} is no service: no line of ---", type));
   const std::string package = splitType(type).first;
   ServiceDefinition service;
+  service.type = type;
   service.request = parse(type + "Request", package, parts[0]);
   service.response = parse(type + "Response", package, parts[1]);
   service.md5 = md5Of(service.request.normal_form + service.response.normal_form);

@@ -162,7 +162,8 @@ ExecutePlanResult PlanRun::resultOf(const Trouble& trouble) const {
 
 void PlanRun::beginWatching() {
   unwatched_ = "its preconditions are not watched";
-  if (!options_.watch || plan_.session_id.empty()) return;
+  if (!options_.watch) return;
+  if (plan_.session_id.empty()) return stopWatching("the plan names no session of an aligner");
   const auto file = [this](const std::string& given, const char* key) {
     return ros_interface::resolveFile(given.empty() ? parts_.aligner.parameter(key) : given);
   };
@@ -303,8 +304,7 @@ PlanRun::Trouble PlanRun::treatFailure(const ActionDispatch& step, const StepRul
     return {ExecutePlanResult::CANCELED, step.action_id,
             fmt::format("stopped during {}{}", about(step), because), true};
   }
-  if (watch_ && !parts_.aligner.tell(failureFacts(step, rule)))
-    stopWatching("the aligner does not take what the failure tells");
+  if (watch_) tellFailure(step, rule);
   const bool again = ++failures_[textOf(step)] >= kMostFailures;
   const bool final = again || rule.stop_on_failure;
   const std::string more = again ? ", as it did before" : "";
@@ -315,6 +315,17 @@ PlanRun::Trouble PlanRun::treatFailure(const ActionDispatch& step, const StepRul
   }
   return {ExecutePlanResult::STEP_FAILED, step.action_id,
           fmt::format("{} failed{}{}", about(step), more, because), final};
+}
+
+void PlanRun::tellFailure(const ActionDispatch& step, const StepRule& rule) {
+  const std::vector<Literal> facts = failureFacts(step, rule);
+  for (const Literal& fact : facts) {
+    const RobotWatch::Finding finding = watch_->literals({fact}, before_);
+    if (finding.verdict == Verdict::NoModel)
+      ROS_WARN("%s: of the failure_facts one is no fact: %s", about(step).c_str(),
+               finding.reason.c_str());
+  }
+  if (!parts_.aligner.tell(facts)) stopWatching("the aligner does not take what the failure tells");
 }
 
 std::vector<Literal> PlanRun::failureFacts(const ActionDispatch& step, const StepRule& rule) const {

@@ -7,6 +7,24 @@
 
 namespace goal_alignment::execution {
 
+namespace {
+
+// What services such as std_srvs/Trigger say of themselves.
+std::string reasonIn(const StepTry& attempt, const MessageDefinition& definition,
+                     const Bytes& message) {
+  constexpr const char* kReason = "message";
+  const MessageField* const field = definition.find(kReason);
+  const bool has_reason =
+      field != nullptr && field->type == "string" && field->length == MessageField::kSingle;
+  std::string found;
+  if (has_reason) {
+    matches(attempt.types, definition, message, kReason, YAML::Node(""), attempt.arguments, found);
+  }
+  return found.empty() ? "" : ": " + found;
+}
+
+}  // namespace
+
 StepEnd checkSuccess(const StepTry& attempt, const MessageDefinition& definition,
                      const std::optional<Bytes>& message, const std::string& name) {
   if (!attempt.rule.success.empty() && !message) {
@@ -17,7 +35,8 @@ StepEnd checkSuccess(const StepTry& attempt, const MessageDefinition& definition
     if (matches(attempt.types, definition, *message, path, expected, attempt.arguments, found)) {
       continue;
     }
-    return {StepEnd::Kind::Failed, fmt::format("{} answered with {} {}", name, path, found)};
+    return {StepEnd::Kind::Failed, fmt::format("{} answered with {} {}{}", name, path, found,
+                                               reasonIn(attempt, definition, *message))};
   }
   return {};
 }
@@ -35,7 +54,9 @@ StepEnd ServiceSteps::run(const StepTry& attempt) {
     case Kind::Answered:
       return checkSuccess(attempt, type.response, reply.response, name);
     case Kind::Failed:
-      return {StepEnd::Kind::Failed, fmt::format("the call of {} failed", name)};
+      return {StepEnd::Kind::Failed,
+              fmt::format("the call of {} failed: it refused it or died, or is no {}", name,
+                          type.type)};
     case Kind::NoServer:
       return {StepEnd::Kind::Failed, fmt::format("nobody offers the service {}", name)};
     case Kind::TooMany:

@@ -198,7 +198,9 @@ class MappingReader : private YamlReader {
     for (const auto& [path, expected] : rule.success) {
       if (!expected.IsScalar()) expect(expected, "a single value");
       try {
-        checkPath(types_, definition, path);
+        const std::string type = typeAt(types_, definition, path);
+        if (node.IsScalar() && type != "bool")
+          fail(node, fmt::format("{} is a {}: expected a field that is true or false", path, type));
       } catch (const TypeError& error) {
         fail(node, error.what());
       }

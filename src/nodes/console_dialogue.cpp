@@ -7,8 +7,11 @@
 
 #include <iostream>
 
+#include "goal_alignment/ros_interface/graceful_end.h"
+
 int main(int argc, char** argv) {
   ros::init(argc, argv, "console_dialogue");
+  goal_alignment::ros_interface::endOnSigterm();
   goal_alignment::ros_interface::ConsoleDialogue dialogue(ros::NodeHandle{}, STDIN_FILENO,
                                                           std::cout);
   ros::AsyncSpinner spinner(2);  // a second asker waits for the first

@@ -172,7 +172,10 @@ void execute(ros::NodeHandle& node, TaskStory& story, const Plan& plan) {
 void run() {
   ros::NodeHandle node;
   const ros::NodeHandle private_node("~");
-  const HumanTask task = ros_interface::taskOfFile(private_node.param<std::string>("task", ""));
+  std::string file;
+  if (!private_node.getParam("task", file))
+    throw std::invalid_argument(private_node.resolveName("task") + " is not set");
+  const HumanTask task = ros_interface::taskOfFile(file);
   TaskStory story(std::cout,
                   ros_interface::phrasesOf(private_node.param<std::string>("phrases", "")),
                   !private_node.param("interactive", false));

@@ -7,8 +7,11 @@
 #include <exception>
 #include <iostream>
 
+#include "goal_alignment/ros_interface/graceful_end.h"
+
 int main(int argc, char** argv) {
   ros::init(argc, argv, "scripted_dialogue");
+  goal_alignment::ros_interface::endOnSigterm();
   try {
     const goal_alignment::ros_interface::ScriptedDialogue dialogue{ros::NodeHandle{},
                                                                    ros::NodeHandle{"~"}};

@@ -7,8 +7,11 @@
 #include <exception>
 #include <iostream>
 
+#include "goal_alignment/ros_interface/graceful_end.h"
+
 int main(int argc, char** argv) {
   ros::init(argc, argv, "speech_dialogue");
+  goal_alignment::ros_interface::endOnSigterm();
   try {
     goal_alignment::ros_interface::SpeechDialogue dialogue{ros::NodeHandle{}, ros::NodeHandle{"~"}};
     ros::AsyncSpinner spinner(3);  // a second asker waits for the first

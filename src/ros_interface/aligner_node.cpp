@@ -5,12 +5,14 @@
 #include <ros/console.h>
 
 #include <chrono>
+#include <vector>
 
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/ros_interface/model_source.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 #include "goal_alignment/ros_interface/node_options.h"
 #include "goal_alignment/ros_interface/package_files.h"
+#include "goal_alignment/ros_interface/stamp.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
@@ -28,6 +30,16 @@ QuestionIds questionIds() {
     ROS_WARN("question ids may repeat after a restart: %s", ids.trouble().c_str());
   }
   return ids;
+}
+
+std::vector<JournalAnswer> toJournal(const std::vector<AcceptedAnswer>& answers) {
+  std::vector<JournalAnswer> entries;
+  for (const AcceptedAnswer& answer : answers) {
+    if (answer.kind == session::AnswerKind::Decline) continue;
+    for (const Literal& fluent : answer.fluents)
+      entries.push_back({fluent, answer.kind, answer.answered_by, stampNow()});
+  }
+  return entries;
 }
 
 }  // namespace
@@ -56,7 +68,10 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
       markers_(private_node, announcer_, frames_),
       tf_(frames_),
       explainer_([this] { nudgeSolver(); }),
-      bridge_(questionIds()),
+      bridge_(questionIds(),
+              [this](const std::string& session_id, const std::vector<AcceptedAnswer>& answers) {
+                journal_.add(session_id, toJournal(answers));
+              }),
       ask_human_(
           node, [this](const Answer::Request& request) { return submit(request); },
           [this](const std::string& complaint) { announcer_.tell(complaint); }),

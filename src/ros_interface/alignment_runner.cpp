@@ -143,10 +143,10 @@ void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
     kept.phrases = phrasesOf(options.phrases);
   } catch (const std::exception& error) {
     // Wording is no reason to refuse a task.
-    announcer_.tell(fmt::format("no phrases: {}", error.what()));
+    announcer_.warn(fmt::format("no phrases: {}", error.what()));
   }
   kept.session = std::move(session);
-  kept.journaled = journal_.open(key, options.journal_expiry);
+  kept.journaled = journal_.open(key, kept.id, options.journal_expiry);
   kept_ = std::move(kept);
   facts_.beginSession(kept_.id, goal.source == AlignGoal::PARAMS);
   bridge_.beginSession(kept_.id);

@@ -8,10 +8,16 @@
 #include <limits>
 #include <utility>
 
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 #include "goal_alignment/ros_interface/stamp.h"
 
 namespace goal_alignment::ros_interface {
+namespace {
+
+constexpr std::size_t kLongestEvent = 4000;  // bytes
+
+}  // namespace
 
 Announcer::Announcer(ros::NodeHandle private_node)
     : states_(private_node.advertise<AlignmentState>(kStateTopic, kStateQueueSize, true)),
@@ -54,11 +60,21 @@ void Announcer::publishNoQuestion() {
 }
 
 void Announcer::tell(const std::string& line) {
+  ROS_INFO("%s", publishEvent(line).c_str());
+}
+
+void Announcer::warn(const std::string& line) {
+  ROS_WARN("%s", publishEvent(line).c_str());
+}
+
+// What names from outside may hold: whatever a terminal takes for a command, and megabytes.
+std::string Announcer::publishEvent(const std::string& line) {
   std_msgs::String message;
-  message.data = line;
-  std::replace(message.data.begin(), message.data.end(), '\n', ' ');
+  message.data = shortened(line, kLongestEvent);
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
+  std::replace_if(message.data.begin(), message.data.end(), is_control, ' ');
   events_.publish(message);
-  ROS_INFO("%s", message.data.c_str());
+  return message.data;
 }
 
 Question Announcer::question() const {

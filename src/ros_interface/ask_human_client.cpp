@@ -33,7 +33,13 @@ struct AskHumanClient::Shared {
   bool stop = false;
   bool finished = false;
 
+  // Of the client's own thread.
+  std::uint32_t complained_of = 0;  // a question
+  std::string complaint;
+
   void run();
+  // Of one question the same is told once: it is tried again and again.
+  void complainOnce(const Question& asked, const std::string& line);
   // The next question to ask, or nothing at the end.
   std::optional<Question> await();
   void treat(const Question& asked, const AskHuman::Response& response);
@@ -78,9 +84,14 @@ void AskHumanClient::Shared::run() {
     // A client of its own, since the next call may go to another node; persistent all the same,
     // since of other calls roscpp loses a response now and then (ros_comm issue 1976), and a person
     // would be asked twice.
-    const bool answered = ros::service::exists(node->resolveName(kAskHumanService), false) &&
-                          node->serviceClient<AskHuman>(kAskHumanService, true).call(call);
-    if (answered) treat(*asked, call.response);
+    const std::string service = node->resolveName(kAskHumanService);
+    if (ros::service::exists(service, false)) {
+      if (node->serviceClient<AskHuman>(kAskHumanService, true).call(call)) {
+        treat(*asked, call.response);
+      } else {
+        complainOnce(*asked, fmt::format("a call of {} broke off; it is tried again", service));
+      }
+    }
     pause(*asked);
   }
   node.reset();
@@ -109,15 +120,25 @@ void AskHumanClient::Shared::treat(const Question& asked, const AskHuman::Respon
   request.answered_by = response.answered_by;
   const session::Receipt receipt = deliver(request);
   if (!receipt.accepted) {
-    complain(fmt::format("an answer from {} was refused: {}", node->resolveName(kAskHumanService),
-                         receipt.message));
-    return;
+    return complainOnce(asked, fmt::format("an answer from {} was refused: {}",
+                                           node->resolveName(kAskHumanService), receipt.message));
   }
   // Answered in part, it is asked once more, by then without what was answered.
   const bool in_part = !response.fluents.empty() && (response.answer == AskHuman::Response::NO ||
                                                      response.answer == AskHuman::Response::UNSURE);
   const std::lock_guard<std::mutex> lock(mutex);
   if (!in_part && stillOpen(asked)) question.reset();
+}
+
+void AskHumanClient::Shared::complainOnce(const Question& asked, const std::string& line) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (!stillOpen(asked)) return;  // who answers has left it, as they should
+  }
+  if (complained_of == asked.question_id && complaint == line) return;
+  complained_of = asked.question_id;
+  complaint = line;
+  complain(line);
 }
 
 void AskHumanClient::Shared::pause(const Question& asked) {

@@ -46,6 +46,10 @@ void waitUntilToldToEnd() {
     ros::WallDuration(kPollPeriod).sleep();
 }
 
+void endOnSigterm() {
+  std::signal(SIGTERM, [](int /*signal*/) { ros::requestShutdown(); });
+}
+
 // roscpp's poll thread takes what was published to the sockets, once a round.
 void flushPublished() {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kLongestFlush);

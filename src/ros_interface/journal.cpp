@@ -130,13 +130,19 @@ std::string Journal::file() const {
   return folder_ + "/" + key_ + kSuffix;
 }
 
-std::vector<JournalAnswer> Journal::open(const std::string& key, double expiry) {
+std::vector<JournalAnswer> Journal::open(const std::string& key, const std::string& session_id,
+                                         double expiry) {
   const std::lock_guard<std::mutex> lock(mutex_);
   key_ = key;
+  session_id_ = session_id;
   writing_ = expiry > 0;
+  decided_ = false;
+  not_taken_.clear();
+  answers_.clear();
   if (!writing_) return {};
   expire(expiry);
-  return read();
+  answers_ = read();
+  return answers_;
 }
 
 std::vector<JournalAnswer> Journal::read() {
@@ -167,11 +173,36 @@ void Journal::expire(double expiry) {
   }
 }
 
+void Journal::add(const std::string& session_id, const std::vector<JournalAnswer>& answers) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (session_id != session_id_ || decided_ || answers.empty()) return;
+  for (const JournalAnswer& answer : answers)
+    not_taken_.insert_or_assign(answer.fluent, answer);
+  replace();
+}
+
 void Journal::write(const std::vector<JournalAnswer>& answers) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  decided_ = false;
+  answers_ = answers;
+  for (const JournalAnswer& answer : answers) {
+    const auto accepted = not_taken_.find(answer.fluent);
+    if (accepted != not_taken_.end() && accepted->second.kind == answer.kind)
+      not_taken_.erase(accepted);
+  }
+  replace();
+}
+
+void Journal::replace() {
   if (!writing_ || key_.empty()) return;
+  std::vector<JournalAnswer> all;
+  for (const JournalAnswer& answer : answers_) {
+    if (not_taken_.count(answer.fluent) == 0) all.push_back(answer);
+  }
+  for (const auto& accepted : not_taken_)
+    all.push_back(accepted.second);
   try {
-    replaceFile(file(), toText(key_, answers));
+    replaceFile(file(), toText(key_, all));
     trouble_.clear();
   } catch (const std::exception& error) {
     report(fmt::format("the answers can't be written to the journal: {}", error.what()));
@@ -180,6 +211,8 @@ void Journal::write(const std::vector<JournalAnswer>& answers) {
 
 void Journal::drop() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  decided_ = true;
+  not_taken_.clear();
   if (key_.empty()) return;
   std::error_code gone;
   fs::remove(file(), gone);

@@ -115,8 +115,9 @@ std::size_t ParameterReader::readChoice(const std::string& key,
   if (found == nullptr) return value;
   const std::string expected = fmt::format("one of {}", fmt::join(words, ", "));
   if (found->getType() != XmlRpcValue::TypeString) refuse(key, expected);
-  const auto word = std::find(words.begin(), words.end(), static_cast<std::string&>(*found));
-  if (word == words.end()) refuse(key, expected);
+  const std::string& given = static_cast<std::string&>(*found);
+  const auto word = std::find(words.begin(), words.end(), given);
+  if (word == words.end()) refuse(key, fmt::format("{}, not {}", expected, inQuotes(given)));
   return static_cast<std::size_t>(word - words.begin());
 }
 

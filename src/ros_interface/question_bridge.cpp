@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 
@@ -53,8 +54,13 @@ std::vector<Literal> distinct(const std::vector<Literal>& literals) {
 
 }  // namespace
 
-QuestionBridge::QuestionBridge(QuestionIds ids, std::function<Clock::time_point()> now)
-    : now_(std::move(now)), ids_(std::move(ids)) {}
+QuestionBridge::QuestionBridge(QuestionIds ids, Keep keep, std::function<Clock::time_point()> now)
+    : keep_(std::move(keep)), now_(std::move(now)), ids_(std::move(ids)) {}
+
+void QuestionBridge::keep(const std::string& session_id,
+                          const std::vector<AcceptedAnswer>& answers) const {
+  if (keep_) keep_(session_id, answers);
+}
 
 void QuestionBridge::beginSession(const std::string& session_id) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -173,7 +179,7 @@ Receipt QuestionBridge::submit(const Answer::Request& request) {
   } catch (const std::invalid_argument& error) {
     return {false, error.what()};
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
+  std::unique_lock<std::mutex> lock(mutex_);
   std::string why_not = refusalOfValue(request);
   if (why_not.empty()) why_not = refusalOfQuestion(request);
   if (why_not.empty()) why_not = refusalOfFluents(fluents, request.question_id, false);
@@ -196,8 +202,13 @@ Receipt QuestionBridge::submit(const Answer::Request& request) {
         rest.fluents.push_back(fluent);
     }
   }
-  accept(std::move(answer));
-  if (!rest.fluents.empty()) accept(std::move(rest));
+  std::vector<AcceptedAnswer> accepted = {std::move(answer)};
+  if (!rest.fluents.empty()) accepted.push_back(std::move(rest));
+  for (const AcceptedAnswer& each : accepted)
+    accept(each);
+  const std::string session_id = session_id_;
+  lock.unlock();
+  keep(session_id, accepted);
   return {true, ""};
 }
 
@@ -217,7 +228,7 @@ QuestionBridge::Revision QuestionBridge::revise(const Answer::Request& request) 
   } catch (const std::invalid_argument& error) {
     return {{false, error.what()}, ""};
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
+  std::unique_lock<std::mutex> lock(mutex_);
   std::string why_not = refusalOfValue(request);
   if (why_not.empty() && request.answer == Answer::Request::DECLINE) {
     why_not = "a revised answer is NO, YES or UNSURE";
@@ -227,8 +238,12 @@ QuestionBridge::Revision QuestionBridge::revise(const Answer::Request& request) 
   if (!why_not.empty()) return {{false, why_not}, ""};
   answer.kind = static_cast<AnswerKind>(request.answer);
   answer.answered_by = request.answered_by;
-  accept(std::move(answer));
-  return {{true, ""}, under_way_ ? "" : session_id_};
+  accept(answer);
+  const std::string session_id = session_id_;
+  const bool under_way = under_way_;
+  lock.unlock();
+  keep(session_id, {answer});
+  return {{true, ""}, under_way ? "" : session_id};
 }
 
 std::string QuestionBridge::refusalOfQuestion(const Answer::Request& request) const {
@@ -267,13 +282,11 @@ std::string QuestionBridge::refusalOfFluent(const Literal& fluent, bool revising
   const auto found = candidates_.find(fluent);
   const bool specified = specified_.count(fluent) > 0 ||
                          (found != candidates_.end() && found->second == CandidateState::Specified);
-  if (specified) return fmt::format("{} is part of the specified goal", fluent.text());
-  if (found == candidates_.end()) {
-    return fmt::format("{} is outside the state that the person expects", fluent.text());
-  }
-  if (!revising && isAnswered(found->second)) {
-    return fmt::format("{} is answered already: use ~revise_answer", fluent.text());
-  }
+  const std::string text = shortened(fluent.text());
+  if (specified) return text + " is part of the specified goal";
+  if (found == candidates_.end()) return text + " is outside the state that the person expects";
+  if (!revising && isAnswered(found->second))
+    return text + " is answered already: use ~revise_answer";
   return {};
 }
 

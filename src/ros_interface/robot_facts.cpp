@@ -62,7 +62,9 @@ Receipt RobotFacts::set(const std::vector<Fluent>& facts, const whereabouts::Rul
   for (const auto& [atom, holds] : changes)
     all_[atom] = world_.set[atom] = holds;
   ++version_;
-  return {true, left_to_tf.empty() ? "" : "taken, but " + left_to_tf};
+  if (!left_to_tf.empty()) return {true, "taken, but " + left_to_tf};
+  return {true,
+          world_.model ? "" : "taken; no robot's model is known yet that could have it or not"};
 }
 
 void RobotFacts::beginSession(const std::string& session_id, bool earlier_hold) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/phrasing/outcomes.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
 
@@ -30,7 +31,7 @@ std::string suppose(const Literal& fluent, const Snapshot& snapshot, Supposition
   } else if (contains(snapshot.specified, opposite)) {
     return fmt::format("{} is part of the specified goal", opposite.text());
   } else if (!contains(snapshot.specified, fluent)) {
-    return fmt::format("{} is outside the state that the person expects", fluent.text());
+    return shortened(fluent.text()) + " is outside the state that the person expects";
   }
   return {};
 }

@@ -112,6 +112,20 @@ TEST_F(JournalScenario, aDialogueGoesOnAfterACrash) {
   EXPECT_EQ(entries(), 0U) << "after the outcome there is nothing to take up again";
 }
 
+TEST_F(JournalScenario, whatWasAcceptedSurvivesACrashAtOnce) {
+  const Question first = sendAndAwaitQuestion(sweepBothRooms());
+  // A connection that stands, so that nothing comes between the acceptance and the crash.
+  auto client = node_.serviceClient<Answer>("/goal_alignment/answer", true);
+  Answer call;
+  call.request.answer = Answer::Request::NO;
+  call.request.question_id = first.question_id;
+  ASSERT_TRUE(client.call(call));
+  EXPECT_TRUE(call.response.accepted) << call.response.message;
+  killAligner();
+  startAligner();
+  EXPECT_FALSE(areAboutTheSame(sendAndAwaitQuestion(sweepBothRooms()), first));
+}
+
 TEST_F(JournalScenario, aCanceledDialogueThatIsSentAgainAsksNothingTwice) {
   const auto [first, second] = breakOff(sweepBothRooms());
   EXPECT_EQ(entries(), 1U);

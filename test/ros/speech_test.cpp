@@ -317,6 +317,21 @@ TEST_F(Speech, fallsSilentWhenSomebodyElseHasAnswered) {
   EXPECT_TRUE(eventually([&] { return kill(speaker, 0) != 0 && errno == ESRCH; }));
 }
 
+TEST_F(Speech, takesItsProgramWithItWhenItIsToldToEnd) {
+  const std::string alive = folder_.path() + "/alive";
+  set("say_command",
+      std::vector<std::string>{"sh", "-c", "while true; do echo >> " + alive + "; sleep 0.05; done",
+                               "{text}"});
+  start();
+  ask(5, {fluent("served", {"tea"})});
+  ASSERT_TRUE(eventually([&] { return !textOf(alive).empty(); }));
+  dialogue_->signal(SIGTERM);
+  EXPECT_EQ(dialogue_->exitStatus(), 0);
+  const std::string last = textOf(alive);
+  ros::WallDuration(0.5).sleep();
+  EXPECT_EQ(textOf(alive), last) << "nobody speaks any more";
+}
+
 TEST_F(Speech, goesOnWithAProgramThatFails) {
   set("say_command", std::vector<std::string>{"false", "{text}"});
   start();

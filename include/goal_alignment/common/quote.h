@@ -11,6 +11,10 @@ namespace goal_alignment {
 /// O(most).
 std::size_t utf8Length(std::string_view text, std::size_t most);
 
+/// Text from outside as a message may hold it: cut short with `…` after `most` bytes, and where it
+/// stops being UTF-8.
+std::string shortened(std::string_view text, std::size_t most = 300);
+
 /// Text from outside in quotes, for a message: shortened with `…` where no person would read it to
 /// its end, and where it stops being UTF-8, which messages must be.
 std::string inQuotes(std::string_view text);

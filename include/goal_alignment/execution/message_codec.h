@@ -26,11 +26,12 @@ Bytes encode(MessageTypes& types, const MessageDefinition& definition, const YAM
 void check(MessageTypes& types, const MessageDefinition& definition, const YAML::Node& fields,
            const std::string& source);
 
-/// Whether the field at the path, `a.b.c`, is built in, so that matches() can look at it. Throws
-/// TypeError that says where the path goes astray.
-void checkPath(MessageTypes& types, const MessageDefinition& definition, const std::string& path);
+/// The type of the field at the path, `a.b.c`, which is built in, so that matches() can look at it.
+/// Throws TypeError that says where the path goes astray.
+std::string typeAt(MessageTypes& types, const MessageDefinition& definition,
+                   const std::string& path);
 
-/// Whether a value is of the type of the field at that path, which checkPath() has found good.
+/// Whether a value is of the type of the field at that path, which typeAt() knows.
 /// Throws YamlError.
 void checkValue(MessageTypes& types, const MessageDefinition& definition, const std::string& path,
                 const YAML::Node& expected, const Arguments& arguments);

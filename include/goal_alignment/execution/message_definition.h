@@ -43,6 +43,7 @@ struct MessageDefinition {
 };
 
 struct ServiceDefinition {
+  std::string type;  ///< `package/Name`
   MessageDefinition request;
   MessageDefinition response;
   std::string md5;

@@ -80,6 +80,7 @@ class PlanRun {
   StepEnd tryOnce(const ActionDispatch& step, const StepRule& rule, int retries_left);
   Trouble treatFailure(const ActionDispatch& step, const StepRule& rule, const StepEnd& end);
   void treatSuccess(const ActionDispatch& step);
+  void tellFailure(const ActionDispatch& step, const StepRule& rule);
   // Empty: there is a new plan.
   std::string planAnew(const Trouble& trouble);
   std::vector<Literal> failureFacts(const ActionDispatch& step, const StepRule& rule) const;

@@ -26,6 +26,8 @@ class Announcer {
   void publishNoQuestion();
   /// One line for people, on ~events and in the log.
   void tell(const std::string& line);
+  /// The same, of something that somebody should mend.
+  void warn(const std::string& line);
 
   // As last published.
   AlignmentState state() const;
@@ -33,6 +35,8 @@ class Announcer {
   Plan plan() const;
 
  private:
+  std::string publishEvent(const std::string& line);
+
   mutable std::mutex mutex_;  // guards the three below
   AlignmentState state_;
   Question question_;

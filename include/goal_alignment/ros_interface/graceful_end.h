@@ -10,6 +10,9 @@ void initWithLastWords(int& argc, char** argv, const char* default_name);
 
 void waitUntilToldToEnd();
 
+/// For a node without last words: SIGTERM ends it as SIGINT does. After ros::init().
+void endOnSigterm();
+
 /// Waits, not for long, until what was published is on its way.
 void flushPublished();
 

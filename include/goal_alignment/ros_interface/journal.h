@@ -4,6 +4,7 @@
 #include <ros/time.h>
 
 #include <functional>
+#include <map>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -37,12 +38,18 @@ class Journal {
 
   Journal(std::string folder, Complain complain);
 
-  /// The task whose answers are written from now on, and those it has on record. Entries that
-  /// nobody touched for `expiry` seconds are deleted first; with expiry 0 nothing is read or
-  /// written. A damaged entry is renamed to `….damaged`.
-  std::vector<JournalAnswer> open(const std::string& key, double expiry);
+  /// The task whose answers are written from now on, in this session, and those it has on record.
+  /// Entries that nobody touched for `expiry` seconds are deleted first; with expiry 0 nothing is
+  /// read or written. A damaged entry is renamed to `….damaged`.
+  std::vector<JournalAnswer> open(const std::string& key, const std::string& session_id,
+                                  double expiry);
 
-  /// All answers of the task under way, at every new one.
+  /// Answers as soon as they are accepted, before the session knows of them: each stands for any
+  /// earlier one, until write() brings it, too. Nothing where the session is another by now, or has
+  /// come to its outcome.
+  void add(const std::string& session_id, const std::vector<JournalAnswer>& answers);
+
+  /// All answers of the session, whenever it has taken new ones.
   void write(const std::vector<JournalAnswer>& answers);
 
   /// The task has come to its outcome.
@@ -57,6 +64,7 @@ class Journal {
 
  private:
   std::string file() const;
+  void replace();
   std::vector<JournalAnswer> read();
   void expire(double expiry);
   void report(const std::string& trouble);
@@ -65,7 +73,11 @@ class Journal {
   const Complain complain_;
   mutable std::mutex mutex_;  // guards all below
   std::string key_;
+  std::string session_id_;
   bool writing_ = false;
+  bool decided_ = false;                        // since the last write()
+  std::vector<JournalAnswer> answers_;          // of the session
+  std::map<Literal, JournalAnswer> not_taken_;  // accepted, but not by the session yet
   std::string trouble_;
 };
 

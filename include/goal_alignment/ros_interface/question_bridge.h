@@ -36,8 +36,12 @@ struct AcceptedAnswer {
 class QuestionBridge {
  public:
   using Clock = std::chrono::steady_clock;
+  /// Hears of accepted answers before their giver does, on the giver's thread.
+  using Keep = std::function<void(const std::string& session_id,
+                                  const std::vector<AcceptedAnswer>& answers)>;
 
-  explicit QuestionBridge(QuestionIds ids, std::function<Clock::time_point()> now = Clock::now);
+  explicit QuestionBridge(QuestionIds ids, Keep keep = {},
+                          std::function<Clock::time_point()> now = Clock::now);
 
   // Of the solver thread.
 
@@ -84,6 +88,8 @@ class QuestionBridge {
     Clock::time_point opened;
   };
 
+  void keep(const std::string& session_id, const std::vector<AcceptedAnswer>& answers) const;
+
   // All below need mutex_. Refusals say why not; empty: nothing speaks against it.
   std::string refusalOfQuestion(const Answer::Request& request) const;
   std::string refusalOfFluents(const std::vector<Literal>& fluents, std::uint32_t question_id,
@@ -94,6 +100,7 @@ class QuestionBridge {
   void count(const AcceptedAnswer& answer);
   void closeOpen(bool answered);
 
+  const Keep keep_;
   const std::function<Clock::time_point()> now_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;

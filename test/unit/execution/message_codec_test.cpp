@@ -143,7 +143,7 @@ TEST_F(Codec, findsAFieldBehindAllKindsOfOthers) {
 TEST_F(Codec, refusesPathsToNoValue) {
   const auto fault = [&](const std::string& path) {
     return faultOfCall(
-        [&] { checkPath(types_, types_.message("goal_alignment/ExecutePlanResult"), path); });
+        [&] { typeAt(types_, types_.message("goal_alignment/ExecutePlanResult"), path); });
   };
   EXPECT_EQ(fault("plan.header.frame_id"), "");
   EXPECT_EQ(fault("plan"), "goal_alignment/ExecutePlanResult: 'plan' is no single value");

@@ -36,7 +36,7 @@ class JournalTest : public testing::Test {
   // As after a restart.
   std::vector<JournalAnswer> reopened(const std::string& key, double expiry = kWeek) {
     journal_ = makeJournal();
-    return journal_->open(key, expiry);
+    return journal_->open(key, "s", expiry);
   }
 
   std::vector<fs::path> files() const {
@@ -55,7 +55,7 @@ class JournalTest : public testing::Test {
 };
 
 TEST_F(JournalTest, keepsAnswersAcrossARestart) {
-  EXPECT_TRUE(journal_->open("k", kWeek).empty());
+  EXPECT_TRUE(journal_->open("k", "s", kWeek).empty());
   journal_->write({answer("(on a b)", AnswerKind::Yes)});
   journal_->write({answer("(on a b)", AnswerKind::Yes), answer("(not (p))", AnswerKind::No, ""),
                    answer("(q)", AnswerKind::Unsure,
@@ -78,14 +78,14 @@ TEST_F(JournalTest, keepsAnswersAcrossARestart) {
 }
 
 TEST_F(JournalTest, namesThatAreNoUtf8AreWrittenAllTheSame) {
-  journal_->open("k", kWeek);
+  journal_->open("k", "s", kWeek);
   journal_->write({answer("(p)", AnswerKind::Yes, "\xff\xfe")});
   EXPECT_EQ(reopened("k").size(), 1U);
   EXPECT_TRUE(complaints_.empty());
 }
 
 TEST_F(JournalTest, entriesOfOtherTasksAreApart) {
-  journal_->open("k", kWeek);
+  journal_->open("k", "s", kWeek);
   journal_->write({answer("(p)", AnswerKind::Yes)});
   EXPECT_TRUE(reopened("l").empty());
   journal_->drop();
@@ -94,7 +94,7 @@ TEST_F(JournalTest, entriesOfOtherTasksAreApart) {
 
 TEST_F(JournalTest, theOutcomeAndForgetDropTheEntry) {
   EXPECT_FALSE(journal_->forget()) << "there is no task yet";
-  journal_->open("k", kWeek);
+  journal_->open("k", "s", kWeek);
   journal_->write({answer("(p)", AnswerKind::Yes)});
   journal_->drop();
   EXPECT_TRUE(files().empty());
@@ -104,13 +104,43 @@ TEST_F(JournalTest, theOutcomeAndForgetDropTheEntry) {
   EXPECT_TRUE(files().empty());
   journal_->write({answer("(p)", AnswerKind::Yes)});
   EXPECT_TRUE(files().empty()) << "forgotten is forgotten";
-  journal_->open("k", kWeek);
+  journal_->open("k", "s", kWeek);
   journal_->write({answer("(p)", AnswerKind::Yes)});
   EXPECT_EQ(files().size(), 1U);
 }
 
+TEST_F(JournalTest, hasAnswersBeforeTheSessionTakesThem) {
+  journal_->open("k", "s", kWeek);
+  journal_->write({answer("(p)", AnswerKind::Yes)});
+  journal_->add("s", {answer("(q)", AnswerKind::No), answer("(p)", AnswerKind::No)});
+  journal_->write({answer("(p)", AnswerKind::Yes), answer("(r)", AnswerKind::Unsure)});
+  journal_->add("another", {answer("(x)", AnswerKind::No)});
+  const auto kept = Journal(folder_.string(), {}).open("k", "t", kWeek);
+  std::map<std::string, AnswerKind> kinds;
+  for (const JournalAnswer& each : kept)
+    kinds[each.fluent.text()] = each.kind;
+  const std::map<std::string, AnswerKind> expected = {
+      {"(p)", AnswerKind::No}, {"(q)", AnswerKind::No}, {"(r)", AnswerKind::Unsure}};
+  EXPECT_EQ(kinds, expected);
+  EXPECT_EQ(kept.size(), 3U);
+}
+
+TEST_F(JournalTest, addsNothingAfterTheOutcomeOrWhatWasForgotten) {
+  journal_->open("k", "s", kWeek);
+  journal_->add("s", {answer("(p)", AnswerKind::Yes)});
+  EXPECT_EQ(files().size(), 1U);
+  journal_->drop();
+  journal_->add("s", {answer("(q)", AnswerKind::Yes)});
+  EXPECT_TRUE(files().empty());
+  journal_->write({answer("(p)", AnswerKind::Yes)});
+  EXPECT_EQ(reopened("k").size(), 1U) << "what was accepted before the outcome is not new any more";
+  journal_->forget();
+  journal_->add("s", {answer("(q)", AnswerKind::Yes)});
+  EXPECT_TRUE(files().empty());
+}
+
 TEST_F(JournalTest, oldEntriesGo) {
-  journal_->open("k", kWeek);
+  journal_->open("k", "s", kWeek);
   journal_->write({answer("(p)", AnswerKind::Yes)});
   fs::last_write_time(files().front(), fs::file_time_type::clock::now() - std::chrono::hours(2));
   EXPECT_EQ(reopened("k", 3 * 3600).size(), 1U);
@@ -119,7 +149,7 @@ TEST_F(JournalTest, oldEntriesGo) {
 }
 
 TEST_F(JournalTest, withoutExpiryNothingIsReadOrWritten) {
-  journal_->open("k", kWeek);
+  journal_->open("k", "s", kWeek);
   journal_->write({answer("(p)", AnswerKind::Yes)});
   EXPECT_TRUE(reopened("k", 0).empty());
   journal_->drop();
@@ -128,7 +158,7 @@ TEST_F(JournalTest, withoutExpiryNothingIsReadOrWritten) {
 }
 
 TEST_F(JournalTest, aDamagedEntryIsSetAsideWithAWarning) {
-  journal_->open("k", kWeek);
+  journal_->open("k", "s", kWeek);
   journal_->write({answer("(p)", AnswerKind::Yes), answer("(q)", AnswerKind::No)});
   const fs::path file = files().front();
   std::stringstream good;
@@ -166,7 +196,7 @@ TEST_F(JournalTest, aDamagedEntryIsSetAsideWithAWarning) {
 
 TEST_F(JournalTest, aFolderThatCannotBeIsComplainedOfOnce) {
   overwrite(folder_, "a file stands where the folder should be");
-  EXPECT_TRUE(journal_->open("k", kWeek).empty());
+  EXPECT_TRUE(journal_->open("k", "s", kWeek).empty());
   journal_->write({answer("(p)", AnswerKind::Yes)});
   journal_->write({answer("(p)", AnswerKind::Yes)});
   journal_->drop();

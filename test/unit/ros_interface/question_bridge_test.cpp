@@ -36,7 +36,13 @@ class Bridge : public testing::Test {
   Bridge()
       : folder_(std::filesystem::temp_directory_path() /
                 ("question_bridge_test." + std::to_string(getpid()))),
-        bridge_(QuestionIds((folder_ / "ids").string()), [this] { return now_; }) {
+        bridge_(
+            QuestionIds((folder_ / "ids").string()),
+            [this](const std::string& session_id, const std::vector<AcceptedAnswer>& answers) {
+              for (const AcceptedAnswer& each : answers)
+                kept_.emplace_back(session_id, each.fluents);
+            },
+            [this] { return now_; }) {
     bridge_.beginSession("s");
     bridge_.update(snapshotWith({{"(a)", CandidateState::Open},
                                  {"(b)", CandidateState::Open},
@@ -65,6 +71,7 @@ class Bridge : public testing::Test {
 
   std::filesystem::path folder_;
   Clock::time_point now_ = Clock::now();
+  std::vector<std::pair<std::string, std::vector<Literal>>> kept_;
   QuestionBridge bridge_;
 };
 
@@ -150,6 +157,16 @@ TEST_F(Bridge, aNewSessionsFirstQuestionReplacesOnlyOneThatHasJustVanished) {
   pass(2);
   openIn("x");
   EXPECT_TRUE(submit(kNo, 0).accepted) << "the one before is long gone";
+}
+
+TEST_F(Bridge, whatIsAcceptedIsKeptBeforeItsGiverHearsOfIt) {
+  const auto id = bridge_.open({literal("(a)"), literal("(b)")});
+  EXPECT_TRUE(submit(Answer::Request::YES, id, {"(a)"}).accepted);
+  EXPECT_FALSE(submit(Answer::Request::YES, id, {"(a)"}).accepted);
+  EXPECT_TRUE(bridge_.revise(request(Answer::Request::NO, 0, {"(c)"})).receipt.accepted);
+  const std::vector<std::pair<std::string, std::vector<Literal>>> expected = {
+      {"s", {literal("(a)")}}, {"s", {literal("(b)")}}, {"s", {literal("(c)")}}};
+  EXPECT_EQ(kept_, expected);
 }
 
 TEST_F(Bridge, ofAGroupYesToSomeIsNoToTheRest) {
