@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// plan_executor with servers, services and components of any type: fields are filled, time-outs,
-// retries and cancels reach the step that runs.
+// plan_executor with action servers of any type, and what all kinds of steps have in common: fields
+// are filled, time-outs, retries and cancels reach the step that runs.
 #include <actionlib/server/action_server.h>
 #include <move_base_msgs/MoveBaseAction.h>
-#include <std_srvs/SetBool.h>
-#include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <atomic>
 
-#include "goal_alignment/AskHuman.h"
-#include "plan_runs.h"
+#include "steps.h"
 
 namespace goal_alignment::test {
 namespace {
@@ -75,31 +72,6 @@ actions:
     goal: {target_pose: {header: {frame_id: "map_of_{from}"}, pose: "{pose:to}"}}
 )";
 const Step kGoToKitchen = {"go", {{"from", "hall"}, {"to", "kitchen"}}};
-
-class Steps : public testing::Test, protected PlanRuns {
- protected:
-  Steps() : PlanRuns(ros::NodeHandle{}) {}
-
-  void expectFailure(const ExecutePlanResult& result, int outcome, const std::string& reason) {
-    EXPECT_EQ(execute_.getState(), State::ABORTED);
-    EXPECT_EQ(result.outcome, outcome);
-    EXPECT_EQ(result.failed_step, 0);
-    EXPECT_NE(result.reason.find(reason), std::string::npos) << result.reason;
-  }
-
-  void cancelWhileItRuns(const Plan& plan, const std::function<bool()>& it_runs) {
-    send(plan);
-    ASSERT_TRUE(eventually(it_runs));
-    execute_.cancelGoal();
-    const ExecutePlanResult result = awaitEnd();
-    EXPECT_EQ(execute_.getState(), State::PREEMPTED);
-    EXPECT_EQ(result.outcome, ExecutePlanResult::CANCELED);
-    EXPECT_EQ(result.failed_step, 0);
-    EXPECT_NE(result.reason.find("stopped during step 0"), std::string::npos) << result.reason;
-  }
-
-  ros::NodeHandle node_;
-};
 
 TEST_F(Steps, fillTheGoalOfAnActionServer) {
   FakeBase base(node_);
@@ -264,182 +236,6 @@ TEST_F(OwnServer, isFoundToHaveDied) {
   expectFailure(awaitEnd(), ExecutePlanResult::STEP_FAILED, "went away");
 }
 
-/// Services as robots have them.
-class FakeServices {
- public:
-  explicit FakeServices(ros::NodeHandle node)
-      : door_(node.advertiseService("/door/front/open", &FakeServices::open, this)),
-        slow_(node.advertiseService("/slow", &FakeServices::wait, this)),
-        ask_(node.advertiseService("/ask", &FakeServices::ask, this)) {}
-  // roscpp drops a service that is still answering.
-  ~FakeServices() {
-    released = true;
-    slow_.shutdown();
-    eventually([this] { return inside == 0; });
-  }
-
-  bool open(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
-    ++calls;
-    asked = request.data != 0;
-    response.success = opens;
-    response.message = "locked";
-    return !throws;
-  }
-  bool wait(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& /*response*/) {
-    ++inside;
-    ++waiting;
-    eventually([this] { return released.load(); }, 60);
-    --inside;
-    return true;
-  }
-  bool ask(AskHuman::Request& request, AskHuman::Response& response) {
-    question = request.question.fluents.at(0).args.at(0);
-    response.answered_by = "ann";
-    return true;
-  }
-
-  std::atomic<int> calls{0};
-  std::atomic<int> waiting{0};
-  std::atomic<int> inside{0};
-  std::atomic<bool> released{false};
-  std::atomic<bool> asked{false};
-  std::atomic<bool> opens{true};
-  std::atomic<bool> throws{false};
-  std::string question;
-
- private:
-  ros::ServiceServer door_;
-  ros::ServiceServer slow_;
-  ros::ServiceServer ask_;
-};
-
-const char* const kServices = R"(
-actions:
-  open: {kind: service, name: "/door/{door}/open", type: std_srvs/SetBool, request: {data: true},
-         success_field: success, server_patience: 0.3}
-  wait: {kind: service, name: /slow, type: std_srvs/Trigger}
-  hurry: {kind: service, name: /slow, type: std_srvs/Trigger, timeout: 0.5}
-  ask: {kind: service, name: /ask, type: goal_alignment/AskHuman, success_field: {answered_by: "{who}"},
-        request: {question: {fluents: [{name: on, args: ["{who}", b]}]}}}
-)";
-
-TEST_F(Steps, callServicesOfAnyType) {
-  FakeServices services(node_);
-  setMapping(kServices);
-  const ExecutePlanResult result =
-      run(planOf({{"open", {{"door", "front"}}}, {"ask", {{"who", "ann"}}}}));
-  EXPECT_EQ(result.outcome, ExecutePlanResult::SUCCESS) << result.reason;
-  EXPECT_TRUE(services.asked);
-  EXPECT_EQ(services.question, "ann");
-}
-
-TEST_F(Steps, failWhereAServiceSaysSo) {
-  FakeServices services(node_);
-  setMapping(kServices);
-  services.opens = false;
-  const Plan plan = planOf({{"open", {{"door", "front"}}}});
-  expectFailure(run(plan), ExecutePlanResult::STEP_FAILED,
-                "/door/front/open answered with success false");
-  services.throws = true;
-  expectFailure(run(plan), ExecutePlanResult::STEP_FAILED, "the call of /door/front/open failed");
-  expectFailure(run(planOf({{"open", {{"door", "back"}}}})), ExecutePlanResult::STEP_FAILED,
-                "nobody offers the service /door/back/open");
-}
-
-TEST_F(Steps, abandonAServiceThatDoesNotAnswer) {
-  FakeServices services(node_);
-  setMapping(kServices);
-  expectFailure(run(planOf({{"hurry", {}}})), ExecutePlanResult::STEP_TIMED_OUT,
-                "took more than 0.5 s");
-  const int before = services.waiting;
-  cancelWhileItRuns(planOf({{"wait", {}}}), [&] { return services.waiting > before; });
-  services.released = true;
-}
-
-/// A component as ROSPlan's are.
-class FakeComponent {
- public:
-  explicit FakeComponent(ros::NodeHandle node)
-      : feedback_(node.advertise<ActionFeedback>("/action_feedback", 100)),
-        dispatches_(node.subscribe("/action_dispatch", 100, &FakeComponent::hear, this)) {}
-
-  bool isConnected() const {
-    return feedback_.getNumSubscribers() > 1 && dispatches_.getNumPublishers() > 0;
-  }
-
-  void hear(const ActionDispatch::ConstPtr& dispatch) {
-    if (dispatch->name == "cancel_action") {
-      cancelled = dispatch->action_id;
-      if (succeeds_when_cancelled)
-        say(*dispatch, ActionFeedback::ACTION_SUCCEEDED_TO_GOAL_STATE, 0);
-    }
-    if (dispatch->name != "wash") return;
-    ++dispatched;
-    say(*dispatch, ActionFeedback::ACTION_ENABLED, 0);
-    // Of others this is not to be believed.
-    say(*dispatch, ActionFeedback::ACTION_FAILED, 5);
-    // As ROSPlan's C++ base class does, which leaves the plan's id out.
-    if (status >= 0) say(*dispatch, status, -dispatch->plan_id);
-    // After its end nothing more is to be heard of it.
-    if (status >= 0) say(*dispatch, ActionFeedback::ACTION_ENABLED, 0);
-  }
-
-  void say(const ActionDispatch& dispatch, int what, int other_plan) {
-    ActionFeedback message;
-    message.action_id = dispatch.action_id;
-    message.plan_id = dispatch.plan_id + other_plan;
-    message.status = what;
-    feedback_.publish(message);
-  }
-
-  std::atomic<int> status{ActionFeedback::ACTION_SUCCEEDED_TO_GOAL_STATE};
-  std::atomic<bool> succeeds_when_cancelled{false};
-  std::atomic<int> dispatched{0};
-  std::atomic<int> cancelled{-1};
-
- private:
-  ros::Publisher feedback_;
-  ros::Subscriber dispatches_;
-};
-
-TEST_F(Steps, dispatchedAreCarriedOutByOthers) {
-  FakeComponent component(node_);
-  ASSERT_TRUE(eventually([&] { return component.isConnected(); }));
-  setMapping("default: {kind: dispatch, server_patience: 20}");
-  const Plan plan = planOf({{"wash", {{"what", "cup"}}}, {"wash", {{"what", "pan"}}}});
-  EXPECT_EQ(run(plan).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
-  EXPECT_EQ(component.dispatched, 2);
-  component.status = ActionFeedback::ACTION_FAILED;
-  expectFailure(run(planOf({{"wash", {}}})), ExecutePlanResult::STEP_FAILED,
-                "the component of wash says that it failed");
-  component.status = ActionFeedback::ACTION_PRECONDITION_FALSE;
-  expectFailure(run(planOf({{"wash", {}}})), ExecutePlanResult::STEP_FAILED,
-                "precondition is false");
-}
-
-TEST_F(Steps, dispatchedAreCancelledAsRosplanKnowsIt) {
-  FakeComponent component(node_);
-  ASSERT_TRUE(eventually([&] { return component.isConnected(); }));
-  component.status = -1;
-  ros::param::set("/plan_executor/cancel_patience", 0.1);
-  setMapping("default: {kind: dispatch}");
-  cancelWhileItRuns(planOf({{"wash", {}}}), [&] { return component.dispatched == 1; });
-  EXPECT_TRUE(eventually([&] { return component.cancelled == 0; }));
-
-  ros::param::set("/plan_executor/cancel_patience", 60.0);
-  component.succeeds_when_cancelled = true;
-  setMapping("default: {kind: dispatch, timeout: 0.5, retries: 3, server_patience: 20}");
-  EXPECT_EQ(run(planOf({{"wash", {}}})).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
-  EXPECT_EQ(component.dispatched, 2) << "it was not done once more";
-  ros::param::del("/plan_executor/cancel_patience");
-}
-
-TEST_F(Steps, dispatchedThatNobodyTakesUpFail) {
-  setMapping("default: {kind: dispatch, server_patience: 0.3}");
-  expectFailure(run(planOf({{"fly", {}}})), ExecutePlanResult::STEP_FAILED,
-                "nobody takes up the dispatched action fly");
-}
-
 TEST_F(Steps, ofAPlanThatIsDisplacedAreCancelledBeforeTheNextBegins) {
   FakeBase base(node_);
   base.mood = FakeBase::Mood::Wait;
@@ -474,29 +270,6 @@ TEST_F(Steps, areRefusedWhereTheMappingIsFaultyOrSilent) {
   result = run(planOf({{"go", {{"from", "hall"}, {"to", "attic"}}}}));
   EXPECT_NE(result.reason.find("table 'pose' has no entry for 'attic'"), std::string::npos)
       << result.reason;
-  setMapping(kServices);
-  result = run(planOf({{"open", {{"door", "fire-door"}}}}));
-  EXPECT_EQ(result.outcome, ExecutePlanResult::INVALID_PLAN);
-  EXPECT_NE(result.reason.find(".yaml:3:31: '/door/fire-door/open' can't be a name in ROS"),
-            std::string::npos)
-      << result.reason;
-}
-
-TEST_F(Steps, areRefusedBeforeTheyBeginWhereTheirEndCouldNotBeTold) {
-  FakeServices services(node_);
-  setMapping(R"(
-actions: {open: {kind: service, name: "/door/{door}/open", type: std_srvs/SetBool,
-                 success_field: {success: perhaps}}}
-)");
-  ExecutePlanResult result = run(planOf({{"open", {{"door", "front"}}}}));
-  EXPECT_EQ(result.outcome, ExecutePlanResult::INVALID_PLAN);
-  EXPECT_NE(result.reason.find(".yaml:3:43: expected a bool, found 'perhaps'"), std::string::npos)
-      << result.reason;
-  EXPECT_EQ(services.calls, 0);
-  setMapping("actions: {take: {kind: simulated, moves: [{frame: cup, parent: \"{where}\"}]}}");
-  result = run(planOf({{"take", {{"what", "cup"}}}}));
-  EXPECT_EQ(result.outcome, ExecutePlanResult::INVALID_PLAN);
-  EXPECT_NE(result.reason.find("has no parameter 'where'"), std::string::npos) << result.reason;
 }
 
 TEST_F(Steps, simulatedMoveFramesSmoothly) {
