@@ -45,6 +45,11 @@ struct AskHumanClient::Shared {
   void treat(const Question& asked, const AskHuman::Response& response);
   // Waits before the same question is tried again; ends early when it changes.
   void pause(const Question& asked);
+  bool isOpen(const Question& asked) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return stillOpen(asked);
+  }
+  // Needs the mutex.
   bool stillOpen(const Question& asked) const {
     return !stop && question && question->question_id == asked.question_id;
   }
@@ -88,7 +93,7 @@ void AskHumanClient::Shared::run() {
     if (ros::service::exists(service, false)) {
       if (node->serviceClient<AskHuman>(kAskHumanService, true).call(call)) {
         treat(*asked, call.response);
-      } else {
+      } else if (isOpen(*asked)) {  // else who was asked may have left it
         complainOnce(*asked, fmt::format("a call of {} broke off; it is tried again", service));
       }
     }
@@ -131,10 +136,6 @@ void AskHumanClient::Shared::treat(const Question& asked, const AskHuman::Respon
 }
 
 void AskHumanClient::Shared::complainOnce(const Question& asked, const std::string& line) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (!stillOpen(asked)) return;  // who answers has left it, as they should
-  }
   if (complained_of == asked.question_id && complaint == line) return;
   complained_of = asked.question_id;
   complaint = line;

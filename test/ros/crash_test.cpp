@@ -222,7 +222,7 @@ TEST_F(Crash, ofAClientLeavesTheNextClientToDisplaceItsGoal) {
 
 TEST_F(Crash, ofTheExecutorDoesNotTouchTheAligner) {
   auto executor = start("simulated_executor");
-  actionlib::SimpleActionClient<ExecutePlanAction> execution(node_, "/execute_plan", false);
+  ActionClient<ExecutePlanAction> execution(node_, "/execute_plan");
   ASSERT_TRUE(eventually([&] { return execution.isServerConnected(); }));
   const Question question = sendAndAwaitQuestion(sweepHall());
   executor->signal(SIGKILL);
@@ -245,7 +245,7 @@ TEST_F(Crash, ofTheExecutorDoesNotTouchTheAligner) {
 
 TEST(Other, DISABLED_clientThatWaits) {
   ros::NodeHandle node;
-  AlignClient client(node, "/goal_alignment/align", false);
+  AlignClient client(node, "/goal_alignment/align");
   ASSERT_TRUE(eventually([&] { return client.isServerConnected(); }));
   client.sendGoal(sweepHall());
   ros::waitForShutdown();

@@ -61,7 +61,7 @@ class NewestQuestion {
 
 class Endurance : public testing::Test {
  protected:
-  Endurance() : align_(node_, "/goal_alignment/align", false) {}
+  Endurance() : align_(node_, "/goal_alignment/align") {}
 
   void SetUp() override {
     ASSERT_TRUE(eventually([this] { return align_.isServerConnected(); }));

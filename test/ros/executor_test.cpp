@@ -13,14 +13,14 @@ namespace goal_alignment::test {
 namespace {
 
 using State = actionlib::SimpleClientGoalState;
-using Client = actionlib::SimpleActionClient<ExecutePlanAction>;
+using Client = ActionClient<ExecutePlanAction>;
 
 class Executor : public testing::Test {
  protected:
   Executor()
       : dispatches_(node_, "/action_dispatch"),
         feedback_(node_, "/action_feedback"),
-        client_(node_, "/execute_plan", false) {}
+        client_(node_, "/execute_plan") {}
 
   void SetUp() override {
     ros::param::set("/simulated_executor/step_duration", 0.01);
@@ -152,7 +152,7 @@ TEST_F(Executor, leavesAPlanForANewerOne) {
   ASSERT_TRUE(
       dispatches_.waitFor([&](const ActionDispatch& d) { return d.plan_id == old.plan.plan_id; }));
   ros::param::set("/simulated_executor/step_duration", 0.0);
-  Client other(node_, "/execute_plan", false);
+  Client other(node_, "/execute_plan");
   ASSERT_TRUE(eventually([&] { return other.isServerConnected(); }));
   other.sendGoal(planOf(1));
   EXPECT_TRUE(eventually([&] { return other.getState().isDone(); }));

@@ -199,7 +199,7 @@ class Robot {
         questions_(node_, ns + "/goal_alignment/question"),
         states_(node_, ns + "/goal_alignment/state"),
         plans_(node_, ns + "/goal_alignment/plan"),
-        align_(node_, ns + "/goal_alignment/align", false) {}
+        align_(node_, ns + "/goal_alignment/align") {}
 
   bool isThere() {
     return eventually([this] { return align_.isServerConnected(); }) &&

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <actionlib/client/simple_action_client.h>
-
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,7 +13,7 @@
 
 namespace goal_alignment::test {
 
-using ExecuteClient = actionlib::SimpleActionClient<ExecutePlanAction>;
+using ExecuteClient = ActionClient<ExecutePlanAction>;
 
 /// A plan of steps such as {"go", {{"to", "kitchen"}}}, with a plan_id of its own.
 using Step = std::pair<std::string, std::vector<std::pair<std::string, std::string>>>;
@@ -30,7 +28,7 @@ class PlanRuns {
   explicit PlanRuns(ros::NodeHandle node)
       : dispatches_(node, "/action_dispatch"),
         feedback_(node, "/action_feedback"),
-        execute_(node, "/execute_plan", false) {}
+        execute_(node, "/execute_plan") {}
 
   /// From the next plan on.
   void setMapping(const std::string& yaml);

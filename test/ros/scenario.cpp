@@ -63,7 +63,7 @@ Scenario::Scenario()
     : questions_(node_, "/goal_alignment/question"),
       states_(node_, "/goal_alignment/state"),
       plans_(node_, "/goal_alignment/plan"),
-      align_(node_, "/goal_alignment/align", false) {}
+      align_(node_, "/goal_alignment/align") {}
 
 void Scenario::SetUp() {
   ASSERT_TRUE(eventually([this] { return align_.isServerConnected(); }));

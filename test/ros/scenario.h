@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
@@ -14,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "action_client.h"
 #include "goal_alignment/AlignAction.h"
 #include "goal_alignment/AlignmentState.h"
 #include "goal_alignment/Answer.h"
@@ -90,7 +90,7 @@ inline bool isOffered(const std::string& service) {
   return eventually([&] { return ros::service::exists(service, false); });
 }
 
-using AlignClient = actionlib::SimpleActionClient<AlignAction>;
+using AlignClient = ActionClient<AlignAction>;
 
 inline bool waitForEnd(AlignClient& client, double seconds = kPatience) {
   return eventually([&] { return client.getState().isDone(); }, seconds);

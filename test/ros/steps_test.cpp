@@ -243,7 +243,7 @@ TEST_F(Steps, ofAPlanThatIsDisplacedAreCancelledBeforeTheNextBegins) {
   send(planOf({kGoToKitchen}));
   ASSERT_TRUE(eventually([&] { return base.goals().size() == 1; }));
   base.mood = FakeBase::Mood::Succeed;
-  ExecuteClient other(node_, "/execute_plan", false);
+  ExecuteClient other(node_, "/execute_plan");
   ASSERT_TRUE(eventually([&] { return other.isServerConnected(); }));
   ExecutePlanGoal goal;
   goal.plan = planOf({kGoToKitchen});
