@@ -37,7 +37,7 @@ std::vector<JournalAnswer> toJournal(const std::vector<AcceptedAnswer>& answers)
   for (const AcceptedAnswer& answer : answers) {
     if (answer.kind == session::AnswerKind::Decline) continue;
     for (const Literal& fluent : answer.fluents)
-      entries.push_back({fluent, answer.kind, answer.answered_by, stampNow()});
+      entries.push_back({fluent, answer.kind, answer.answered_by, answer.at});
   }
   return entries;
 }

@@ -133,7 +133,7 @@ void AlignmentRunner::apply(const AcceptedAnswer& answer) {
     return;
   }
   for (const Literal& fluent : answer.fluents)
-    kept_.times[fluent] = stampNow();
+    kept_.times[fluent] = answer.at;
   kept_.silences = 0;
   writeJournal();
   announcer_.tell(fmt::format(

@@ -172,8 +172,8 @@ void AlignmentRunner::continueSession(const AlignGoal& goal, const NodeOptions& 
   kept_.session->goOn(session_options);
   bridge_.beginSession(kept_.id);
   bridge_.update(kept_.session->snapshot());
-  if (!wanted.empty()) apply({wanted, AnswerKind::Yes, goal.task.person, 0});
-  if (!not_wanted.empty()) apply({not_wanted, AnswerKind::No, goal.task.person, 0});
+  if (!wanted.empty()) apply({wanted, AnswerKind::Yes, goal.task.person, 0, stampNow()});
+  if (!not_wanted.empty()) apply({not_wanted, AnswerKind::No, goal.task.person, 0, stampNow()});
 }
 
 void AlignmentRunner::warnAboutUnknown(const NodeOptions& options) {

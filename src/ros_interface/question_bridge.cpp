@@ -10,6 +10,7 @@
 #include "goal_alignment/common/quote.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
 #include "goal_alignment/ros_interface/node_constants.h"
+#include "goal_alignment/ros_interface/stamp.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
@@ -57,8 +58,10 @@ std::vector<Literal> distinct(const std::vector<Literal>& literals) {
 QuestionBridge::QuestionBridge(QuestionIds ids, Keep keep, std::function<Clock::time_point()> now)
     : keep_(std::move(keep)), now_(std::move(now)), ids_(std::move(ids)) {}
 
-void QuestionBridge::keep(const std::string& session_id,
+void QuestionBridge::keep(std::unique_lock<std::mutex>& lock,
                           const std::vector<AcceptedAnswer>& answers) const {
+  const std::string session_id = session_id_;
+  lock.unlock();
   if (keep_) keep_(session_id, answers);
 }
 
@@ -138,6 +141,8 @@ void QuestionBridge::closeOpen(bool answered) {
 }
 
 std::vector<AcceptedAnswer> QuestionBridge::take() {
+  // What a session has taken must not be kept after what it has made of it.
+  const std::lock_guard<std::mutex> keeping(keeping_);
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(accepted_, {});
 }
@@ -179,6 +184,7 @@ Receipt QuestionBridge::submit(const Answer::Request& request) {
   } catch (const std::invalid_argument& error) {
     return {false, error.what()};
   }
+  const std::lock_guard<std::mutex> keeping(keeping_);
   std::unique_lock<std::mutex> lock(mutex_);
   std::string why_not = refusalOfValue(request);
   if (why_not.empty()) why_not = refusalOfQuestion(request);
@@ -188,6 +194,7 @@ Receipt QuestionBridge::submit(const Answer::Request& request) {
   AcceptedAnswer answer;
   answer.kind = static_cast<AnswerKind>(request.answer);
   answer.answered_by = request.answered_by;
+  answer.at = stampNow();
   answer.fluents = std::move(fluents);
   if (open_ && (answer.fluents.empty() || request.question_id != 0)) answer.question_id = open_->id;
   AcceptedAnswer rest = answer;
@@ -206,9 +213,7 @@ Receipt QuestionBridge::submit(const Answer::Request& request) {
   if (!rest.fluents.empty()) accepted.push_back(std::move(rest));
   for (const AcceptedAnswer& each : accepted)
     accept(each);
-  const std::string session_id = session_id_;
-  lock.unlock();
-  keep(session_id, accepted);
+  keep(lock, accepted);
   return {true, ""};
 }
 
@@ -228,6 +233,7 @@ QuestionBridge::Revision QuestionBridge::revise(const Answer::Request& request) 
   } catch (const std::invalid_argument& error) {
     return {{false, error.what()}, ""};
   }
+  const std::lock_guard<std::mutex> keeping(keeping_);
   std::unique_lock<std::mutex> lock(mutex_);
   std::string why_not = refusalOfValue(request);
   if (why_not.empty() && request.answer == Answer::Request::DECLINE) {
@@ -238,12 +244,11 @@ QuestionBridge::Revision QuestionBridge::revise(const Answer::Request& request) 
   if (!why_not.empty()) return {{false, why_not}, ""};
   answer.kind = static_cast<AnswerKind>(request.answer);
   answer.answered_by = request.answered_by;
+  answer.at = stampNow();
   accept(answer);
-  const std::string session_id = session_id_;
-  const bool under_way = under_way_;
-  lock.unlock();
-  keep(session_id, {answer});
-  return {{true, ""}, under_way ? "" : session_id};
+  const std::string goes_on = under_way_ ? "" : session_id_;
+  keep(lock, {answer});
+  return {{true, ""}, goes_on};
 }
 
 std::string QuestionBridge::refusalOfQuestion(const Answer::Request& request) const {

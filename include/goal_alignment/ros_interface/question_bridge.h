@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/time.h>
+
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -25,6 +27,7 @@ struct AcceptedAnswer {
   session::AnswerKind kind = session::AnswerKind::No;
   std::string answered_by;
   std::uint32_t question_id = 0;  ///< the open question it was given to; 0: volunteered or revised
+  ros::Time at = {};              ///< when it was accepted, on ROS's clock
 };
 
 /// Where answers meet questions. Who names the open question's id and says YES to some of its group
@@ -36,7 +39,8 @@ struct AcceptedAnswer {
 class QuestionBridge {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Hears of accepted answers before their giver does, on the giver's thread.
+  /// Hears of accepted answers, in the order of their acceptance, before their giver does and
+  /// before they are taken; on the giver's thread.
   using Keep = std::function<void(const std::string& session_id,
                                   const std::vector<AcceptedAnswer>& answers)>;
 
@@ -59,6 +63,7 @@ class QuestionBridge {
   /// taken: it may be the answer to this very question.
   std::uint32_t open(const std::vector<Literal>& fluents);
   void close();
+  /// Waits for the keeping of those that were accepted a moment ago.
   std::vector<AcceptedAnswer> take();
   enum class Wake { Answer, Interrupt, News, TimedOut };
   /// Waits in wall time for an answer, for interrupt(), for nudge(), or until the deadline.
@@ -88,7 +93,8 @@ class QuestionBridge {
     Clock::time_point opened;
   };
 
-  void keep(const std::string& session_id, const std::vector<AcceptedAnswer>& answers) const;
+  /// Lets go of mutex_, but not of keeping_.
+  void keep(std::unique_lock<std::mutex>& lock, const std::vector<AcceptedAnswer>& answers) const;
 
   // All below need mutex_. Refusals say why not; empty: nothing speaks against it.
   std::string refusalOfQuestion(const Answer::Request& request) const;
@@ -102,6 +108,7 @@ class QuestionBridge {
 
   const Keep keep_;
   const std::function<Clock::time_point()> now_;
+  std::mutex keeping_;  // of who accepts answers, until they are kept; before mutex_
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   QuestionIds ids_;

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
+#include <functional>
 #include <thread>
 
 namespace goal_alignment::ros_interface {
@@ -39,10 +42,12 @@ class Bridge : public testing::Test {
         bridge_(
             QuestionIds((folder_ / "ids").string()),
             [this](const std::string& session_id, const std::vector<AcceptedAnswer>& answers) {
+              if (while_keeping_) while_keeping_();
               for (const AcceptedAnswer& each : answers)
                 kept_.emplace_back(session_id, each.fluents);
             },
             [this] { return now_; }) {
+    ros::Time::init();
     bridge_.beginSession("s");
     bridge_.update(snapshotWith({{"(a)", CandidateState::Open},
                                  {"(b)", CandidateState::Open},
@@ -71,6 +76,7 @@ class Bridge : public testing::Test {
 
   std::filesystem::path folder_;
   Clock::time_point now_ = Clock::now();
+  std::function<void()> while_keeping_;
   std::vector<std::pair<std::string, std::vector<Literal>>> kept_;
   QuestionBridge bridge_;
 };
@@ -167,6 +173,30 @@ TEST_F(Bridge, whatIsAcceptedIsKeptBeforeItsGiverHearsOfIt) {
   const std::vector<std::pair<std::string, std::vector<Literal>>> expected = {
       {"s", {literal("(a)")}}, {"s", {literal("(b)")}}, {"s", {literal("(c)")}}};
   EXPECT_EQ(kept_, expected);
+}
+
+TEST_F(Bridge, whatIsAcceptedIsKeptBeforeItIsTakenAndOneAfterTheOther) {
+  const std::uint32_t id = bridge_.open({literal("(a)")});
+  std::atomic<int> keeping = 0;
+  while_keeping_ = [&] {
+    EXPECT_EQ(++keeping, 1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));  // a slow disk
+    --keeping;
+  };
+  std::thread giver([&] { EXPECT_TRUE(submit(kYes, id).accepted); });
+  EXPECT_EQ(bridge_.wait(Clock::time_point::max()), QuestionBridge::Wake::Answer);
+  EXPECT_EQ(bridge_.take().size(), 1U);
+  EXPECT_EQ(kept_.size(), 1U);
+  giver.join();
+
+  const auto revise = [this](int value) {
+    EXPECT_TRUE(bridge_.revise(request(value, 0, {"(a)"})).receipt.accepted);
+  };
+  std::thread one(revise, kNo);
+  std::thread other(revise, kYes);
+  one.join();
+  other.join();
+  EXPECT_EQ(kept_.size(), 3U);
 }
 
 TEST_F(Bridge, ofAGroupYesToSomeIsNoToTheRest) {
