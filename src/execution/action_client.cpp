@@ -56,6 +56,11 @@ ActionClient::ActionClient(const ros::NodeHandle& node, const std::string& name,
     : name_(name), type_(std::move(type)), wait_(wait) {
   ros::NodeHandle inner(node, name);
   ros::AdvertiseOptions options("goal", kQueueSize, type_.md5, type_.name, type_.text);
+  // One that was started anew must be heard anew: its predecessor's result topic still counts.
+  options.disconnect_cb = [this](const ros::SingleSubscriberPublisher& /*gone*/) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    status_heard_ = false;
+  };
   goals_ = inner.advertise(options);
   cancels_ = inner.advertise<actionlib_msgs::GoalID>("cancel", kQueueSize);
   results_ = inner.subscribe("result", kQueueSize, &ActionClient::hearResult, this);

@@ -20,10 +20,10 @@ namespace {
 
 using Kind = ServiceCaller::Reply::Kind;
 
-constexpr double kServiceSeconds = 10;  // for an answer; it is a look-up
-constexpr double kLastWordSeconds = 1;  // for one that a cancel must not keep from being told
-constexpr int kServiceTries = 3;        // a call may break off when a connection does
-constexpr double kAlignerPatience = 3;  // seconds until the aligner's action is there, or is lost
+constexpr double kServiceSeconds = 10;   // for an answer; it is a look-up
+constexpr double kLastWordSeconds = 1;   // for one that a cancel must not keep from being told
+constexpr int kServiceTries = 3;         // a call may break off when a connection does
+constexpr double kAlignerPatience = 10;  // seconds until the aligner's action is there, or is lost
 
 std::string ownGoals() {
   return ros::this_node::getName() + "-plans-anew-";

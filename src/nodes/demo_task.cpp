@@ -4,6 +4,7 @@
 #include <actionlib/client/simple_action_client.h>
 #include <ros/ros.h>
 
+#include <atomic>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -37,14 +38,19 @@ bool goesOn() {
   return ros::ok() && interrupted == 0;
 }
 
-template <typename Client>
-void waitForServer(const Client& client, const std::string& name) {
+template <typename IsThere>
+void waitFor(const std::string& name, const IsThere& is_there) {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kServerPatience);
-  while (!client.isServerConnected()) {
+  while (!is_there()) {
     if (!goesOn()) throw std::runtime_error("interrupted");
     if (ros::WallTime::now() > end) throw std::runtime_error("nobody offers " + name);
     ros::WallDuration(kPollPeriod).sleep();
   }
+}
+
+template <typename Client>
+void waitForServer(const Client& client, const std::string& name) {
+  waitFor(name, [&client] { return client.isServerConnected(); });
 }
 
 // actionlib's clients wait for a simulated clock to begin, deaf to interrupts.
@@ -115,12 +121,18 @@ class Plans {
 // nothing is asked again. Unless it `settles` for that, somebody else has to choose.
 Plan align(ros::NodeHandle& node, TaskStory& story, const HumanTask& task, bool settles) {
   const Plans plans(node);
+  std::atomic<bool> hears{false};
   const boost::function<void(const AlignmentState::ConstPtr&)> hear_state =
-      [&story](const AlignmentState::ConstPtr& state) { story.hear(*state); };
+      [&](const AlignmentState::ConstPtr& state) {
+        story.hear(*state);
+        hears = true;
+      };
   const ros::Subscriber states =
       node.subscribe<AlignmentState>(ros_interface::kAlignerStateTopic, 100, hear_state);
   AlignClient client(node, ros_interface::kAlignerAlignAction, false);
   waitForServer(client, ros_interface::kAlignerAlignAction);
+  // The last one is latched; without the topic a short task would end before any state is heard.
+  waitFor(ros_interface::kAlignerStateTopic, [&hears] { return hears.load(); });
   AlignGoal goal;
   goal.task = task;
   goal.source = AlignGoal::PARAMS;

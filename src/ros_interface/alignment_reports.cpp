@@ -57,7 +57,7 @@ void AlignmentRunner::answerSupposition() {
       [this](const std::vector<Literal>& fluents) { return suppose(fluents); });
 }
 
-Explain::Response AlignmentRunner::suppose(const std::vector<Literal>& fluents) {
+std::optional<Explain::Response> AlignmentRunner::suppose(const std::vector<Literal>& fluents) {
   const session::Snapshot now = kept_.session->snapshot();
   const Supposition supposed = supposition(fluents, now);
   if (!supposed.refusal.empty()) {
@@ -67,6 +67,7 @@ Explain::Response AlignmentRunner::suppose(const std::vector<Literal>& fluents) 
   }
   const session::Consequence consequence =
       kept_.session->whatIf(supposed.wanted, supposed.not_wanted, kSupposeSeconds);
+  if (consequence.kind == session::Consequence::Kind::Unknown) return std::nullopt;
   return explainConsequence(supposed, consequence, kept_.session->snapshot(), kept_.phrases);
 }
 

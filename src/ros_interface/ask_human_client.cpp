@@ -128,11 +128,9 @@ void AskHumanClient::Shared::treat(const Question& asked, const AskHuman::Respon
     return complainOnce(asked, fmt::format("an answer from {} was refused: {}",
                                            node->resolveName(kAskHumanService), receipt.message));
   }
-  // Answered in part, it is asked once more, by then without what was answered.
-  const bool in_part = !response.fluents.empty() && (response.answer == AskHuman::Response::NO ||
-                                                     response.answer == AskHuman::Response::UNSURE);
+  // Answered in part, it is asked once more as soon as it is shown without what was answered.
   const std::lock_guard<std::mutex> lock(mutex);
-  if (!in_part && stillOpen(asked)) question.reset();
+  if (stillOpen(asked) && question->fluents.size() == asked.fluents.size()) question.reset();
 }
 
 void AskHumanClient::Shared::complainOnce(const Question& asked, const std::string& line) {

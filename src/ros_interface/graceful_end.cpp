@@ -14,7 +14,7 @@ namespace goal_alignment::ros_interface {
 namespace {
 
 constexpr double kPollPeriod = 0.02;       // seconds
-constexpr double kLongestFlush = 1.0;      // seconds
+constexpr double kLongestFlush = 5.0;      // seconds
 constexpr int kRoundsOfThePollThread = 2;  // the first may have begun before the last message
 
 std::atomic<bool> g_told_to_end{false};  // a signal handler reaches nothing but globals

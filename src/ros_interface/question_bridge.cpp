@@ -67,10 +67,11 @@ void QuestionBridge::keep(std::unique_lock<std::mutex>& lock,
 
 void QuestionBridge::beginSession(const std::string& session_id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (session_id != session_id_) accepted_.clear();
-  session_id_ = session_id;
   under_way_ = true;
   interrupted_ = false;
+  if (session_id == session_id_) return;
+  session_id_ = session_id;
+  accepted_.clear();
   candidates_known_ = false;
   candidates_.clear();
   specified_.clear();

@@ -70,10 +70,7 @@ Explain::Response explainConsequence(const Supposition& supposed, const Conseque
                                      const Snapshot& then, const phrasing::Phrases& phrases) {
   using Kind = Consequence::Kind;
   Explain::Response response;
-  response.text = "Not known yet.";
-  response.known = consequence.kind != Kind::Unknown;
-  if (!response.known) return response;
-
+  response.known = 1;
   const bool anything = !supposed.wanted.empty() || !supposed.not_wanted.empty();
   response.text = anything
                       ? phrasing::supposition(phrases, supposed.wanted, supposed.not_wanted) + ": "
@@ -112,6 +109,7 @@ std::optional<Explain::Response> SuppositionQueue::ask(const std::vector<Literal
   if (nudge_) nudge_();
   std::unique_lock<std::mutex> lock(mutex_);
   answered_.wait_until(lock, deadline, [&] { return job->response.has_value(); });
+  job->given_up = true;
   jobs_.remove(job);
   return job->response;
 }
@@ -129,9 +127,10 @@ void SuppositionQueue::answerOne(const Solve& solve) {
     job = jobs_.front();
     jobs_.pop_front();
   }
-  Explain::Response response = solve(job->fluents);  // meanwhile nobody else may have to wait
+  auto response = solve(job->fluents);  // meanwhile nobody else may have to wait
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (!response && !job->given_up) jobs_.push_back(job);
     job->response = std::move(response);
   }
   answered_.notify_all();

@@ -211,7 +211,8 @@ void AlignerLink::call(const char* service, const Answer::Request& request) {
   const std::string name = ros::names::append(aligner_, service);
   std::thread([name, request, reply, shared = shared_, mailbox = mailbox_]() mutable {
     Answer::Response response;
-    const bool called = ros::service::call(name, request, response);
+    // Persistent, since of other calls roscpp loses a response now and then (ros_comm issue 1976).
+    const bool called = ros::NodeHandle().serviceClient<Answer>(name, true).call(request, response);
     --shared->hanging;
     const QString message = called ? QString::fromStdString(response.message)
                                    : QStringLiteral("nobody offers %1").arg(name.c_str());

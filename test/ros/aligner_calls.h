@@ -32,26 +32,13 @@ class Parameter {
   std::string name_;
 };
 
-/// Calls a private service of the aligner until its response arrives, and returns how many did not:
-/// roscpp's client loses some in ten thousand, on a busy machine some in a thousand, when the
-/// server closes the connection just as it reads (ros_comm, issue 1976). All but ~answer may be
-/// called twice.
-template <typename Service>
-int callUntilHeard(const std::string& name, Service& service) {
-  constexpr int kTries = 5;
-  int lost = 0;
-  while (!ros::service::call("/goal_alignment/" + name, service) && lost < kTries)
-    ++lost;
-  EXPECT_LT(lost, kTries) << name;
-  return lost;
-}
-
+/// Calls a private service of the aligner.
 template <typename Service>
 typename Service::Response callAligner(const std::string& name,
                                        const typename Service::Request& request = {}) {
   Service service;
   service.request = request;
-  callUntilHeard(name, service);
+  EXPECT_TRUE(callService("/goal_alignment/" + name, service)) << name;
   return service.response;
 }
 

@@ -147,7 +147,7 @@ TEST_F(Console, endsAtOnceOnCtrlCWhileItWaitsForALine) {
   const Question question = sendAndAwaitQuestion(sweepHall());
   ASSERT_TRUE(terminal_.shows("> "));
   terminal_.type("\x03");
-  EXPECT_EQ(terminal_.exitStatus(5.0), 0);
+  EXPECT_EQ(terminal_.exitStatus(kPatience), 0);
   EXPECT_TRUE(answer(Answer::Request::NO, question.question_id).accepted) << "others may answer";
   EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
 }
@@ -157,7 +157,7 @@ TEST_F(Console, endsCleanlyAtTheEndOfInputAndAnswersNothing) {
   ASSERT_TRUE(terminal_.shows("> "));
   terminal_.type("\x04");
   EXPECT_TRUE(terminal_.shows("End of input")) << terminal_.shown();
-  EXPECT_EQ(terminal_.exitStatus(5.0), 0);
+  EXPECT_EQ(terminal_.exitStatus(kPatience), 0);
   EXPECT_TRUE(answer(Answer::Request::NO, question.question_id).accepted) << "it is still open";
   EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
 }
@@ -165,7 +165,7 @@ TEST_F(Console, endsCleanlyAtTheEndOfInputAndAnswersNothing) {
 TEST_F(Console, endsOnCtrlCWithoutAQuestion) {
   ASSERT_TRUE(isOffered("/ask_human"));
   terminal_.type("\x03");
-  EXPECT_EQ(terminal_.exitStatus(5.0), 0);
+  EXPECT_EQ(terminal_.exitStatus(kPatience), 0);
 }
 
 }  // namespace

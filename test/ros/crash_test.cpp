@@ -82,7 +82,7 @@ class Crash : public OwnAligner {
     std::packaged_task<AskHuman()> task([question] {
       AskHuman call;
       call.request.question = question;
-      ros::service::call("/ask_human", call);
+      callService("/ask_human", call);
       return call;
     });
     auto answered = task.get_future();

@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "The robot has a plan of 16 steps", "step 1 of 16: open the dining room door",
                   "Something went wrong: ",
                   "The robot has a new plan of 25 steps, under the same answers"}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& home_task) { return home_task.param.name; });
 
 }  // namespace
 }  // namespace goal_alignment::test

@@ -67,7 +67,7 @@ TEST_F(SlowDialogue, leavesAQuestionThatSomebodyElseAnswered) {
     askers.push_back(std::async(std::launch::async, [&question] {
       AskHuman call;
       call.request.question = question;
-      EXPECT_TRUE(ros::service::call("/ask_human", call));
+      EXPECT_TRUE(callService("/ask_human", call));
       return call;
     }));
   }

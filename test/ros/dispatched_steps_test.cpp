@@ -79,7 +79,7 @@ TEST_F(Steps, dispatchedAreCancelledAsRosplanKnowsIt) {
 
   ros::param::set("/plan_executor/cancel_patience", 60.0);
   component.succeeds_when_cancelled = true;
-  setMapping("default: {kind: dispatch, timeout: 0.5, retries: 3, server_patience: 20}");
+  setMapping("default: {kind: dispatch, timeout: 3, retries: 3, server_patience: 20}");
   EXPECT_EQ(run(planOf({{"wash", {}}})).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
   EXPECT_EQ(component.dispatched, 2) << "it was not done once more";
   ros::param::del("/plan_executor/cancel_patience");

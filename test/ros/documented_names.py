@@ -117,7 +117,7 @@ class DocumentedNames(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.names = documented_names()
-        assert eventually(lambda: {EXECUTOR + '/get_loggers', ALIGNER + '/set_facts'} <= cls.services()), 'no graph'
+        assert eventually(lambda: {EXECUTOR + '/get_loggers', ALIGNER + '/get_facts'} <= cls.services()), 'no graph'
         assert eventually(lambda: '/execute_plan' in Graph(EXECUTOR).actions), 'no executor'
         cls.graphs = {node: Graph(node) for node in (ALIGNER, EXECUTOR)}
 

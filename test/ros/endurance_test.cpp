@@ -101,13 +101,19 @@ class Endurance : public testing::Test {
     if (!asks) callServices();
   }
 
-  // Like callAligner(), but counts the responses that roscpp lost.
+  // Over a connection of one call, as most clients do it, until its response arrives: some are lost
+  // in roscpp's client, see callService(). All but ~answer may be called twice.
   template <typename Service>
   typename Service::Response call(const std::string& name,
                                   const typename Service::Request& request) {
+    constexpr int kTries = 5;
     Service service;
     service.request = request;
-    lost_ += callUntilHeard(name, service);
+    int lost = 0;
+    while (!ros::service::call("/goal_alignment/" + name, service) && lost < kTries)
+      ++lost;
+    EXPECT_LT(lost, kTries) << name;
+    lost_ += lost;
     return service.response;
   }
 

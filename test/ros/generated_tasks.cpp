@@ -31,8 +31,8 @@ AlignGoal seatGuests(int guests) {
   return goalOf(benchmarks::seatedGuests(guests));
 }
 
-AlignGoal longToRead() {
-  return goalOf(benchmarks::longText(200'000));
+AlignGoal longToRead(int rooms) {
+  return goalOf(benchmarks::longText(rooms));
 }
 
 AlignGoal longToGround() {

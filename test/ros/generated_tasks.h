@@ -14,7 +14,7 @@ AlignGoal sweepRooms(int rooms);
 AlignGoal seatGuests(int guests);
 
 /// Models of many megabytes; nothing about them is hard.
-AlignGoal longToRead();
+AlignGoal longToRead(int rooms = 200'000);
 /// Few objects, but 10^9 ground actions.
 AlignGoal longToGround();
 /// A sliding puzzle with two tiles swapped: it takes ages to find out that it can't be solved.

@@ -56,7 +56,7 @@ class JournalScenario : public OwnAligner {
 
   std_srvs::TriggerResponse forget() {
     std_srvs::Trigger call;
-    EXPECT_TRUE(ros::service::call("/goal_alignment/forget", call));
+    EXPECT_TRUE(callService("/goal_alignment/forget", call));
     return call.response;
   }
 
@@ -114,13 +114,7 @@ TEST_F(JournalScenario, aDialogueGoesOnAfterACrash) {
 
 TEST_F(JournalScenario, whatWasAcceptedSurvivesACrashAtOnce) {
   const Question first = sendAndAwaitQuestion(sweepBothRooms());
-  // A connection that stands, so that nothing comes between the acceptance and the crash.
-  auto client = node_.serviceClient<Answer>("/goal_alignment/answer", true);
-  Answer call;
-  call.request.answer = Answer::Request::NO;
-  call.request.question_id = first.question_id;
-  ASSERT_TRUE(client.call(call));
-  EXPECT_TRUE(call.response.accepted) << call.response.message;
+  EXPECT_TRUE(answer(Answer::Request::NO, first.question_id).accepted);
   killAligner();
   startAligner();
   EXPECT_FALSE(areAboutTheSame(sendAndAwaitQuestion(sweepBothRooms()), first));

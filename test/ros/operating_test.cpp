@@ -32,7 +32,7 @@ class Operating : public Scenario {
     roscpp::SetLoggerLevel call;
     call.request.logger = "ros.goal_alignment";
     call.request.level = level;
-    EXPECT_TRUE(ros::service::call("/goal_alignment/set_logger_level", call));
+    EXPECT_TRUE(callService("/goal_alignment/set_logger_level", call));
   }
 
   bool logged(int level, const std::string& part = "") {
@@ -180,7 +180,7 @@ TEST(NoClock, aTaskByTopicLeadsToAQuestionAndAPlan) {
       Answer call;
       call.request.question_id = id;
       call.request.answer = Answer::Request::NO;
-      ASSERT_TRUE(ros::service::call("/goal_alignment/answer", call));
+      ASSERT_TRUE(callService("/goal_alignment/answer", call));
       EXPECT_TRUE(call.response.accepted) << call.response.message;
     }
     EXPECT_TRUE(eventually([&] { return plans.all().size() > plans_before; }));
@@ -232,7 +232,7 @@ class Robot {
     Answer call;
     call.request.question_id = id;
     call.request.answer = Answer::Request::YES;
-    EXPECT_TRUE(ros::service::call(ns_ + "/goal_alignment/answer", call));
+    EXPECT_TRUE(callService(ns_ + "/goal_alignment/answer", call));
     return call.response;
   }
 

@@ -54,7 +54,8 @@ TEST_F(NoQuestionNeeded, byTheTopicHumanTaskToo) {
   task.plan = {step("sweep", {"hall"})};
   tasks.publish(task);
   const auto state = states_.waitFor([](const AlignmentState& shown) {
-    return shown.phase == AlignmentState::DONE && shown.outcome == AlignResult::SUCCESS;
+    return shown.phase == AlignmentState::DONE && shown.outcome == AlignResult::SUCCESS &&
+           shown.task_id == "by topic";
   });
   EXPECT_TRUE(state) << "parameters name models that agree";
 }
@@ -161,7 +162,7 @@ TEST_F(BrokenInput, validateNamesFaultsAndFindsNoneInGoodModels) {
   Validate call;
   call.request.domain = "(define (domain d) (:predicates (p ?x))";
   call.request.problem = "(define (problem q) (:domain d) (:init) (:goal (p a)))";
-  ASSERT_TRUE(ros::service::call("/goal_alignment/validate", call));
+  ASSERT_TRUE(callService("/goal_alignment/validate", call));
   EXPECT_FALSE(call.response.valid);
   ASSERT_FALSE(call.response.errors.empty());
   EXPECT_EQ(call.response.errors[0].find("domain:1:"), 0U) << call.response.errors[0];
@@ -169,7 +170,7 @@ TEST_F(BrokenInput, validateNamesFaultsAndFindsNoneInGoodModels) {
   call.request.domain = "(define (domain d) (:predicates (p ?x)))";
   call.request.problem =
       "(define (problem q) (:domain d) (:objects a) (:init (p a)) (:goal (p a)))";
-  ASSERT_TRUE(ros::service::call("/goal_alignment/validate", call));
+  ASSERT_TRUE(callService("/goal_alignment/validate", call));
   EXPECT_TRUE(call.response.valid);
   EXPECT_TRUE(call.response.errors.empty());
 }

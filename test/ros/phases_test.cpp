@@ -81,7 +81,8 @@ TEST_P(Phases, aNewerGoalDisplacesTheGoalAndIsServed) {
 // then to plan), to estimate beliefs, to find all conflicts, to decide.
 INSTANTIATE_TEST_SUITE_P(
     While, Phases,
-    testing::Values(Moment{"Reading", longToRead, AlignmentState::ANALYSING, 0.0F},
+    testing::Values(Moment{"Reading", [] { return longToRead(800'000); }, AlignmentState::ANALYSING,
+                           0.0F},
                     Moment{"Grounding", longToGround, AlignmentState::ANALYSING, 0.9F / 6},
                     Moment{"Analysing", longToAnalyse, AlignmentState::ANALYSING, 1.9F / 6},
                     Moment{"Planning", longToPlan, AlignmentState::ANALYSING, 1.9F / 6},
@@ -107,6 +108,7 @@ TEST_F(Storm, ofGoalsBringsEachExactlyOneFilledResult) {
   // Whichever goal comes last is displaced by this one.
   const std::string last = send(sweepSilently());
   EXPECT_EQ(int{resultOf(last).status.status}, GoalStatus::SUCCEEDED);
+  EXPECT_TRUE(eventually([this] { return results_.all().size() >= 2U * kGoals + 1; }));
   std::map<std::string, int> ends;
   for (const AlignActionResult& result : results_.all()) {
     ++ends[result.status.goal_id.id];

@@ -146,7 +146,7 @@ TEST_F(Questions, whatIsLeftOfAGroupIsPutAgainAfterSilence) {
     return shown.question_id > group.question_id && textsOf(shown.fluents) == Texts{left};
   });
   ASSERT_TRUE(again);
-  EXPECT_GT(again->expires, again->header.stamp);
+  EXPECT_FALSE(again->expires.isZero());
   EXPECT_TRUE(eventually([&] { return answer(kNo).accepted; }));
   EXPECT_EQ(expectEnd(AlignResult::SUCCESS).questions, 1U) << "it is one question";
 }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "aligner_calls.h"
+#include "own_aligner.h"
 #include "plan_runs.h"
 
 namespace goal_alignment::test {
@@ -134,7 +135,7 @@ TEST_F(Replans, areCancelledWithThePlan) {
   setMapping(std::string(kSimulated) + "failures: {(go hall corridor): always}");
   send(alignedPlan());
   awaitQuestionAfter(last_question_);
-  execute_.cancelGoal();
+  cancelKnownGoal(execute_);
   const ExecutePlanResult result = PlanRuns::awaitEnd();
   EXPECT_EQ(execute_.getState(), State::PREEMPTED);
   expectReason(result, ExecutePlanResult::CANCELED, "stopped while a new plan was sought");
@@ -144,11 +145,11 @@ TEST_F(Replans, areCancelledWithThePlan) {
 TEST_F(Replans, followASurpriseBetweenTwoSteps) {
   setMapping(R"yaml(
 default: {kind: simulated, duration: 0}
-actions: {go: {kind: simulated, duration: 1.5}}
+actions: {go: {kind: simulated, duration: 2}}
 )yaml");
   const Plan plan = alignedPlan();
   send(plan);
-  ASSERT_TRUE(dispatched(plan, 2));
+  ASSERT_TRUE(dispatched(plan, 1));
   ASSERT_TRUE(
       setFacts({negated(fluent("has-letter", {})), fluent("letter-at", {"corridor"})}).accepted);
   const ExecutePlanResult result = PlanRuns::awaitEnd();
@@ -241,7 +242,9 @@ class Automatic : public Replans {
                                  "_robot_domain:=" + model("errand_robot_domain.pddl"),
                                  "_robot_problem:=" + model("errand.pddl")},
         std::map<std::string, std::string>{}, folder_.path() + "/own.txt");
-    ASSERT_TRUE(eventually([this] { return auto_dispatches_.isHeard(); }));
+    for (const char* topic : {"/own/action_dispatch", "/own/execute_plan/result"}) {
+      ASSERT_TRUE(eventually([&] { return reachesUs("/own/simulated_executor", topic); }));
+    }
   }
 
   /// Aligns until it is executed: the executor may hear the aligner a little later than we it.

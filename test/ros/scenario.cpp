@@ -107,11 +107,7 @@ Answer::Response Scenario::answer(int value, std::uint32_t id,
   call.request.question_id = id;
   call.request.fluents = fluents;
   call.request.answered_by = "test";
-  // Persistent: of single calls roscpp loses a response now and then (ros_comm issue 1976).
-  if (!answers_.isValid()) {
-    answers_ = node_.serviceClient<Answer>("/goal_alignment/answer", true);
-  }
-  EXPECT_TRUE(answers_.call(call));
+  EXPECT_TRUE(callService("/goal_alignment/answer", call));
   return call.response;
 }
 

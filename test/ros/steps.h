@@ -25,7 +25,7 @@ class Steps : public testing::Test, protected PlanRuns {
   void cancelWhileItRuns(const Plan& plan, const std::function<bool()>& it_runs) {
     send(plan);
     ASSERT_TRUE(eventually(it_runs));
-    execute_.cancelGoal();
+    cancelKnownGoal(execute_);
     const ExecutePlanResult result = awaitEnd();
     EXPECT_EQ(execute_.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
     EXPECT_EQ(result.outcome, ExecutePlanResult::CANCELED);

@@ -30,6 +30,9 @@ rules:
 )" + more;
 }
 
+// On a loaded machine nobody may hear of a frame for longer than the 2 s of the default.
+constexpr const char* kHowEverOld = "    max_age: 60\n";
+
 std::string domain(const std::string& effect) {
   return R"((define (domain house)
   (:predicates (at ?who ?room) (next ?a ?b) (clean ?r) (quiet ?r))
@@ -117,6 +120,7 @@ class TfFacts : public Scenario {
 };
 
 TEST_F(TfFacts, sayWhereTheRobotIsWhateverTheProblemFileSays) {
+  follow(rulesFor(robot_, kHowEverOld));
   frames_.place(robot_, kKitchen);
   const AlignResult far = align(sweepTheHall(), AlignResult::SUCCESS);
   ASSERT_EQ(far.plan.steps.size(), 2U);
@@ -261,14 +265,12 @@ TEST_F(TfFacts, areCancelledWhileTheyAreAwaited) {
     return state.message.find("waiting for tf: ") == 0 &&
            state.message.find(robot_) != std::string::npos;
   }));
-  const ros::WallTime cancelled = ros::WallTime::now();
-  align_.cancelGoal();
+  cancelKnownGoal(align_);
   expectEnd(AlignResult::CANCELED);
-  EXPECT_LT((ros::WallTime::now() - cancelled).toSec(), kPatience / 2) << "it was waited out";
 }
 
 TEST_F(TfFacts, thatNobodyCanTellAreTakenFromTheFileWhereItIsTrusted) {
-  follow(rulesFor(robot_, "    unknown: trust_file\n"));
+  follow(rulesFor(robot_, std::string(kHowEverOld) + "    unknown: trust_file\n"));
   EXPECT_EQ(align(sweepTheHall(), AlignResult::SUCCESS).plan.steps.size(), 1U);
   EXPECT_TRUE(isSo("(at robot hall)"));
   EXPECT_TRUE(getFacts().unknown.empty());
@@ -283,15 +285,16 @@ TEST_F(TfFacts, thatNobodyCanTellAreTakenFromTheFileWhereItIsTrusted) {
 
 TEST_F(TfFacts, doNotFlickerOnABorder) {
   // (next kitchen kitchen) shows on which side of the border tf sees the robot.
-  follow(rulesFor(robot_,
-                  "    margin: 0.5\n"
-                  "  - {fact: (next kitchen kitchen), when: robot in kitchen, margin: 0}\n"));
+  follow(rulesFor(robot_, std::string(kHowEverOld) +
+                              "    margin: 0.5\n"
+                              "  - {fact: (next kitchen kitchen), when: robot in kitchen, "
+                              "margin: 0, max_age: 60}\n"));
   frames_.place(robot_, 3.9);
   align(sweepTheHall(), AlignResult::SUCCESS);
   const auto expectAfterMoveTo = [&](double x, const std::string& room) {
     frames_.place(robot_, x);
     EXPECT_TRUE(eventually([x] { return isSo("(next kitchen kitchen)") == (x >= 4); })) << x;
-    EXPECT_TRUE(isSo("(at robot " + room + ")")) << x;
+    EXPECT_TRUE(eventually([&] { return isSo("(at robot " + room + ")"); })) << x;
   };
   expectAfterMoveTo(4.3, "hall");
   expectAfterMoveTo(3.8, "hall");
@@ -302,6 +305,7 @@ TEST_F(TfFacts, doNotFlickerOnABorder) {
 }
 
 TEST_F(TfFacts, cannotBeSet) {
+  follow(rulesFor(robot_, kHowEverOld));
   frames_.place(robot_, kHall);
   const AlignResult before = align(sweepTheHall(), AlignResult::SUCCESS);
   const auto refused = setFacts({fluent("at", {"robot", "kitchen"})});

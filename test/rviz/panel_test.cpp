@@ -94,14 +94,14 @@ TEST_F(PanelInRviz, keysAnswerFromAnywhereInTheWindow) {
 TEST_F(PanelInRviz, ofAGroupTheTickedOnesMatter) {
   ASSERT_NO_FATAL_FAILURE(begin());
   ASSERT_NO_FATAL_FAILURE(sendAndAwaitQuestion(lightInGroups()));
-  std::vector<QWidget*> boxes;
+  std::vector<std::string> asked;
   for (const char* lamp : {"(lit a1)", "(lit a2)", "(lit b1)", "(lit b2)"})
-    if (auto* box = part(lamp)) boxes.push_back(box);
-  ASSERT_EQ(boxes.size(), 2U);
-  const std::string ticked = boxes[0]->objectName().toStdString();
-  const std::string left = boxes[1]->objectName().toStdString();
+    if (part(lamp) != nullptr) asked.emplace_back(lamp);
+  ASSERT_EQ(asked.size(), 2U);
+  const std::string& ticked = asked[0];
+  const std::string& left = asked[1];
   ASSERT_FALSE(part("yes")->isEnabled());
-  clickAt(boxes[0], [] { return QPoint(9, 9); });
+  clickAt(part(QString::fromStdString(ticked)), [] { return QPoint(9, 9); });
   ASSERT_TRUE(comesTrue([this] { return part("yes")->isEnabled(); }));
   savePicture("group");
   ASSERT_NO_FATAL_FAILURE(clickOn(part("yes")));

@@ -131,7 +131,7 @@ class AlignmentRunner {
   // alignment_reports.cpp: what is said about the session
   void report(GoalTicket& ticket, const session::Snapshot& now, const std::string& message);
   void showToExplainer(const session::Snapshot& now);
-  Explain::Response suppose(const std::vector<Literal>& fluents);
+  std::optional<Explain::Response> suppose(const std::vector<Literal>& fluents);
   AlignmentState stateMessage(const session::Snapshot& now, const std::string& message) const;
   AlignResult figures(const session::Snapshot& now) const;
   std::string spoken(const std::vector<Literal>& fluents) const;

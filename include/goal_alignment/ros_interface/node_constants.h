@@ -53,7 +53,7 @@ constexpr double kAnswerGraceSeconds = 1.0;
 /// For so long ~explain waits for a reason that the search has not brought up yet.
 constexpr double kExplainSeconds = 2.0;
 
-/// For so long the session may think about one supposition: answers and cancels wait for it.
+/// For so long at a time the session may think about a supposition: answers and cancels wait.
 constexpr double kSupposeSeconds = 0.1;
 
 }  // namespace goal_alignment::ros_interface

@@ -49,8 +49,8 @@ class QuestionBridge {
 
   // Of the solver thread.
 
-  /// A session begins, or goes on with the answers accepted since they were last taken. Its
-  /// candidates are not known until update().
+  /// A session begins, whose candidates are not known until update(), or goes on, with those it has
+  /// and the answers accepted since they were last taken.
   void beginSession(const std::string& session_id);
   /// Nothing can be answered until the next session, only revised. Answers not taken are kept for
   /// when this one goes on, but for DECLINE, which ends nothing any more.

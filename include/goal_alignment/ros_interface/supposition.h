@@ -30,7 +30,7 @@ struct Supposition {
 Supposition supposition(const std::vector<Literal>& fluents, const session::Snapshot& snapshot);
 
 /// "If it mattered that …: I'd still have a plan, of 7 steps." `then` is how things stand after the
-/// session has thought about it.
+/// session has thought about it. The consequence is known.
 Explain::Response explainConsequence(const Supposition& supposed,
                                      const session::Consequence& consequence,
                                      const session::Snapshot& then,
@@ -41,7 +41,8 @@ Explain::Response explainConsequence(const Supposition& supposed,
 class SuppositionQueue {
  public:
   using Clock = std::chrono::steady_clock;
-  using Solve = std::function<Explain::Response(const std::vector<Literal>&)>;
+  /// Nothing: it is not known yet.
+  using Solve = std::function<std::optional<Explain::Response>(const std::vector<Literal>&)>;
 
   /// `nudge` tells the solver thread that there is something to think about.
   explicit SuppositionQueue(std::function<void()> nudge = {});
@@ -54,13 +55,15 @@ class SuppositionQueue {
   // Of the solver thread.
 
   bool empty() const;
-  /// Answers the oldest; nothing where its asker has given up.
+  /// Answers the oldest. What is not known yet is tried again after all others, as long as its
+  /// asker waits.
   void answerOne(const Solve& solve);
 
  private:
   struct Job {
     std::vector<Literal> fluents;
     std::optional<Explain::Response> response;
+    bool given_up = false;
   };
 
   const std::function<void()> nudge_;

@@ -88,7 +88,7 @@ TEST(Explainer, asksTheSolverWhatWouldFollow) {
       Explain::Response response;
       response.known = true;
       response.text = fluents.at(0).text();
-      return response;
+      return std::make_optional(response);
     });
   });
   const auto response = explainer.explain(request({"(E)"}, kWhatIf), kLong);
@@ -107,8 +107,32 @@ TEST(Explainer, dropsWhatNobodyWaitsForAnyMore) {
   EXPECT_TRUE(explainer.suppositions().empty());
   explainer.suppositions().answerOne([](const std::vector<Literal>&) {
     ADD_FAILURE() << "its asker has given up";
-    return Explain::Response();
+    return std::nullopt;
   });
+}
+
+TEST(SuppositionQueue, triesAgainWhatIsNotKnownYetWhileItsAskerWaits) {
+  SuppositionQueue queue;
+  std::atomic<bool> gives_up{false};
+  int tries = 0;
+  std::thread solver([&] {
+    while (!gives_up || !queue.empty()) {
+      queue.answerOne([&](const std::vector<Literal>&) {
+        Explain::Response response;
+        return ++tries == 3 ? std::make_optional(response) : std::nullopt;
+      });
+    }
+  });
+  const auto later = [](double seconds) {
+    return SuppositionQueue::Clock::now() +
+           std::chrono::duration_cast<SuppositionQueue::Clock::duration>(
+               std::chrono::duration<double>(seconds));
+  };
+  EXPECT_TRUE(queue.ask({Literal::parse("(e)")}, later(20)));
+  EXPECT_FALSE(queue.ask({Literal::parse("(e)")}, later(0.05))) << "it is never known";
+  gives_up = true;
+  solver.join();
+  EXPECT_GT(tries, 3);
 }
 
 }  // namespace

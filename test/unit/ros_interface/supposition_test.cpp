@@ -104,11 +104,5 @@ TEST(Supposition, questionsThatFollowAreCounted) {
             "If it mattered that \"a\" holds: it would stay undecided.");
 }
 
-TEST(Supposition, whatIsNotFoundOutIsNotKnown) {
-  const auto response = explained(session::Consequence{});
-  EXPECT_FALSE(response.known);
-  EXPECT_EQ(response.text, "Not known yet.");
-}
-
 }  // namespace
 }  // namespace goal_alignment::ros_interface
