@@ -11,7 +11,7 @@ target_link_libraries(goal_alignment_panel_unit_tests goal_alignment_panel_parts
 
 file(GLOB panel_scenarios CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/rviz/*.cpp)
 add_executable(goal_alignment_panel_scenarios EXCLUDE_FROM_ALL ${panel_scenarios}
-  ${PROJECT_SOURCE_DIR}/test/ros/program.cpp ${PROJECT_SOURCE_DIR}/test/ros/scenario.cpp)
+  ${PROJECT_SOURCE_DIR}/test/ros/graph.cpp ${PROJECT_SOURCE_DIR}/test/ros/program.cpp ${PROJECT_SOURCE_DIR}/test/ros/scenario.cpp)
 goal_alignment_ros_target(goal_alignment_panel_scenarios)
 target_include_directories(goal_alignment_panel_scenarios PRIVATE ${PROJECT_SOURCE_DIR}/test/ros)
 target_include_directories(goal_alignment_panel_scenarios SYSTEM PRIVATE ${rviz_INCLUDE_DIRS})

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "aligner_calls.h"
-#include "own_aligner.h"
+#include "graph.h"
 
 namespace goal_alignment::test {
 namespace {

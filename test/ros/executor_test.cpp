@@ -7,6 +7,7 @@
 #include "goal_alignment/ActionDispatch.h"
 #include "goal_alignment/ActionFeedback.h"
 #include "goal_alignment/ExecutePlanAction.h"
+#include "graph.h"
 #include "scenario.h"
 
 namespace goal_alignment::test {
@@ -25,7 +26,9 @@ class Executor : public testing::Test {
   void SetUp() override {
     ros::param::set("/simulated_executor/step_duration", 0.01);
     ros::param::set("/simulated_executor/failing_step", -1);
-    ASSERT_TRUE(eventually([this] { return client_.isServerConnected(); }));
+    ASSERT_TRUE(isLinked(client_, "/simulated_executor", "/execute_plan"));
+    for (const char* topic : {"/action_dispatch", "/action_feedback"})
+      ASSERT_TRUE(eventually([&] { return reachesUs("/simulated_executor", topic); })) << topic;
     publisher_ = node_.advertise<Plan>("/goal_alignment/plan", 1, true);
   }
 

@@ -10,7 +10,8 @@
 #include <set>
 
 #include "aligner_calls.h"
-#include "own_aligner.h"
+#include "graph.h"
+#include "program.h"
 
 namespace goal_alignment::test {
 namespace {

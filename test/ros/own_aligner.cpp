@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "own_aligner.h"
 
-#include <ros/network.h>
-#include <xmlrpcpp/XmlRpc.h>
-
 #include <csignal>
 
 namespace goal_alignment::test {
@@ -29,12 +26,12 @@ void OwnAligner::startAligner() {
   aligner_ = std::make_unique<Program>(
       NODE_FOLDER "/goal_alignment_node", std::vector<std::string>{},
       std::map<std::string, std::string>{{"ROS_HOME", home_.path()}}, home_.path() + "/output");
-  for (const char* topic : {"question", "state", "plan", "events", "align/result", "align/status"})
+  for (const char* topic : {"question", "state", "plan", "events"})
     ASSERT_TRUE(eventually([&] {
       return reachesUs(kAligner, std::string(kAligner) + "/" + topic);
     })) << topic
         << alignersOutput();
-  ASSERT_TRUE(eventually([this] { return align_.isServerConnected(); }));
+  ASSERT_TRUE(isLinked(align_, kAligner, "/goal_alignment/align"));
   ASSERT_TRUE(isOffered("/goal_alignment/answer"));
   ASSERT_TRUE(isOffered("/goal_alignment/forget"));
 }
@@ -58,44 +55,6 @@ void OwnAligner::shutDownByName(const std::string& node) {
 
 std::string OwnAligner::alignersOutput() const {
   return textOf(home_.path() + "/output");
-}
-
-XmlRpc::XmlRpcValue callNode(const std::string& node, const std::string& method,
-                             const std::string& argument) {
-  XmlRpc::XmlRpcValue request;
-  XmlRpc::XmlRpcValue response;
-  XmlRpc::XmlRpcValue uri;
-  request[0] = ros::this_node::getName();
-  request[1] = node;
-  if (!ros::master::execute("lookupNode", request, response, uri, false)) return {};
-  std::string host;
-  std::uint32_t port = 0;
-  if (!ros::network::splitURI(static_cast<std::string&>(uri), host, port)) return {};
-  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-  XmlRpc::XmlRpcValue arguments;
-  arguments[0] = ros::this_node::getName();
-  if (!argument.empty()) arguments[1] = argument;
-  if (!client.execute(method.c_str(), arguments, response)) return {};
-  return response;
-}
-
-bool reaches(const std::string& listener, const std::string& node, const std::string& topic) {
-  XmlRpc::XmlRpcValue answer = callNode(node, "getBusInfo");
-  if (!answer.valid() || answer.size() < 3) return false;
-  XmlRpc::XmlRpcValue& connections = answer[2];
-  for (int i = 0; i < connections.size(); ++i) {
-    XmlRpc::XmlRpcValue& connection = connections[i];
-    if (static_cast<std::string&>(connection[1]) == listener &&
-        static_cast<std::string&>(connection[2]) == "o" &&
-        static_cast<std::string&>(connection[4]) == topic) {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool reachesUs(const std::string& node, const std::string& topic) {
-  return reaches(ros::this_node::getName(), node, topic);
 }
 
 }  // namespace goal_alignment::test

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "graph.h"
 #include "program.h"
 #include "scenario.h"
 
@@ -35,14 +36,5 @@ class OwnAligner : public Scenario {
   Topic<std_msgs::String> events_;
   std::unique_ptr<Program> aligner_;
 };
-
-/// Calls the XML-RPC interface that every node has; an invalid value where nobody is there.
-XmlRpc::XmlRpcValue callNode(const std::string& node, const std::string& method,
-                             const std::string& argument = "");
-
-/// Whether messages of the node on the topic reach the listener. A subscriber itself can't tell: it
-/// counts a publisher that died until the master says so.
-bool reaches(const std::string& listener, const std::string& node, const std::string& topic);
-bool reachesUs(const std::string& node, const std::string& topic);
 
 }  // namespace goal_alignment::test

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_runs.h"
 
+#include "graph.h"
+
 namespace goal_alignment::test {
 
 Plan planOf(const std::vector<Step>& steps) {
@@ -40,7 +42,9 @@ void PlanRuns::setMapping(const std::string& yaml) {
 }
 
 void PlanRuns::send(const Plan& plan) {
-  ASSERT_TRUE(eventually([this] { return execute_.isServerConnected(); }));
+  ASSERT_TRUE(isLinked(execute_, "/plan_executor", "/execute_plan"));
+  for (const char* topic : {"/action_dispatch", "/action_feedback"})
+    ASSERT_TRUE(eventually([&] { return reachesUs("/plan_executor", topic); })) << topic;
   ExecutePlanGoal goal;
   goal.plan = plan;
   execute_.sendGoal(goal);

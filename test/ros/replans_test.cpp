@@ -4,7 +4,7 @@
 #include <set>
 
 #include "aligner_calls.h"
-#include "own_aligner.h"
+#include "graph.h"
 #include "plan_runs.h"
 
 namespace goal_alignment::test {

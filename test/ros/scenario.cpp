@@ -3,6 +3,8 @@
 
 #include <ros/package.h>
 
+#include "graph.h"
+
 namespace goal_alignment::test {
 
 PlanStep step(const std::string& name, const std::vector<std::string>& args) {
@@ -66,7 +68,7 @@ Scenario::Scenario()
       align_(node_, "/goal_alignment/align") {}
 
 void Scenario::SetUp() {
-  ASSERT_TRUE(eventually([this] { return align_.isServerConnected(); }));
+  ASSERT_TRUE(isLinked(align_, "/goal_alignment", "/goal_alignment/align"));
   ASSERT_TRUE(isOffered("/goal_alignment/answer"));
   ASSERT_TRUE(questionIsClosed()) << "the scenario before left a question open";
 }

@@ -7,6 +7,7 @@
 
 #include <atomic>
 
+#include "graph.h"
 #include "steps.h"
 
 namespace goal_alignment::test {
@@ -198,8 +199,8 @@ class OwnServer : public Steps {
         NODE_FOLDER "/simulated_executor",
         std::vector<std::string>{"__ns:=/helper", "_step_duration:=" + seconds, "_watch:=false"},
         std::map<std::string, std::string>{}, folder_.path() + "/helper.txt");
-    Topic<ActionDispatch>& heard = helper_;
-    ASSERT_TRUE(eventually([&] { return heard.isHeard(); }));
+    ASSERT_TRUE(eventually(
+        [] { return reachesUs("/helper/simulated_executor", "/helper/action_dispatch"); }));
   }
 
   Topic<ActionDispatch> helper_{node_, "/helper/action_dispatch"};
