@@ -190,7 +190,7 @@ TEST(SessionLimits, TheTimeLimitEndsALongSearch) {
 
 TEST(SessionLimits, TheMemoryLimitEndsALongSearch) {
   Options chosen = options("paper");
-  chosen.memory_limit = 20'000'000;
+  chosen.memory_limit = 6'000'000;
   Session session(chosen);
   session.begin(benchmarks::swappedTiles(5));
   talk(session, [](const Literal& /*fluent*/) { return AnswerKind::Yes; });
