@@ -58,7 +58,8 @@ void Session::Implementation::decide() {
   const auto choices = questions::nextGroup(*policy_, situation(), options_.max_group_size);
   if (!choices.empty()) {
     ask(choices);
-  } else if (options_.unsure_policy == UnsurePolicy::Defer && dialogue_.reopenUnsure()) {
+  } else if (options_.unsure_policy == UnsurePolicy::Defer &&
+             dialogue_.reopenUnsure(dialogue_.with(Knowledge::Unsure))) {
     decide();
   } else {
     throw LimitReached(LimitReason::States,
@@ -112,7 +113,11 @@ bool Session::Implementation::concludeBlocked() {
   for (const Conflict& conflict : now.conflicts) {
     if (!now.isLive(conflict) || now.openMembers(conflict) > 0) continue;
     if (conflict.members.intersects(unsure)) {
-      if (options_.unsure_policy == UnsurePolicy::Defer && dialogue_.reopenUnsure()) return false;
+      // Those of other conflicts would be asked for nothing.
+      if (options_.unsure_policy == UnsurePolicy::Defer &&
+          dialogue_.reopenUnsure(conflict.members)) {
+        return false;
+      }
       Outcome outcome;
       outcome.code = OutcomeCode::UnsureBlocks;
       outcome.conflict = fluents(conflict.members);

@@ -120,10 +120,11 @@ void Dialogue::decline() {
   if (open_) close(true);
 }
 
-bool Dialogue::reopenUnsure() {
+bool Dialogue::reopenUnsure(const achievability::CandidateSet& fluents) {
   bool any = false;
   for (std::size_t f = 0; f < knowledge_.size(); ++f) {
-    if (knowledge_[f] != Knowledge::Unsure || reopened_[f] || assumed_[f]) continue;
+    if (!fluents.test(f) || knowledge_[f] != Knowledge::Unsure || reopened_[f] || assumed_[f])
+      continue;
     knowledge_[f] = Knowledge::Open;
     reopened_[f] = true;
     any = true;

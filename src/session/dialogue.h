@@ -43,9 +43,9 @@ class Dialogue {
   /// A question that was taken back counts once more when it is put again: to another goal, it is
   /// one of its own.
   void countAnew() { withdrawn_.clear(); }
-  /// Makes every fluent that a person answered with "don't know" open once more; false when there
-  /// is none left that was not reopened before.
-  bool reopenUnsure();
+  /// Makes every one of these fluents that a person answered with "don't know" open once more;
+  /// false when there is none left that was not reopened before.
+  bool reopenUnsure(const achievability::CandidateSet& fluents);
 
   bool isOpen() const { return open_.has_value(); }
   const std::vector<std::size_t>& openCandidates() const { return open_->waiting; }

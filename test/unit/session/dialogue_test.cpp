@@ -239,6 +239,55 @@ RC_GTEST_PROP(Unsure, WhoNeverKnowsIsAskedTwiceAndNoMore, ()) {
   }
 }
 
+// Two pairs of lamps, of each of which the robot can light one.
+Input pairsOfLamps() {
+  const auto domain = [](const std::string& precondition) {
+    return "(define (domain lamps) (:predicates (free ?pair) (lit ?pair ?lamp) (done))\n"
+           "(:action light :parameters (?pair ?lamp) :precondition (and " +
+           precondition +
+           ")\n  :effect (and (lit ?pair ?lamp) (not (free ?pair))))\n"
+           "(:action finish :parameters () :precondition (and) :effect (and (done))))";
+  };
+  const std::string problem =
+      "(define (problem p) (:domain lamps) (:objects a b one two)\n"
+      "(:init (free a) (free b)) (:goal (done)))";
+  Input input;
+  input.robot_domain = {"robot_domain.pddl", domain("(free ?pair)")};
+  input.human_domain = {"human_domain.pddl", domain("")};
+  input.robot_problem = input.human_problem = {"problem.pddl", problem};
+  for (const char* step : {"(light a one)", "(light a two)", "(light b one)", "(light b two)"})
+    input.human_plan.push_back(GroundName::parse(step));
+  input.human_plan.push_back(GroundName::parse("(finish)"));
+  return input;
+}
+
+// What is not known of a conflict that another answer has settled is not asked once more.
+TEST(Unsure, OnlyWhatBlocksIsAskedOnceMore) {
+  std::size_t settled_by_another = 0;
+  for (const std::string& policy : {"auto", "optimal", "ratio"}) {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      Options chosen = options(policy, ConflictMode::Full, seed);
+      chosen.unsure_policy = UnsurePolicy::Defer;
+      Session session(chosen);
+      session.begin(pairsOfLamps());
+      std::map<Literal, int> times;
+      talk(session, [&](const Literal& fluent) {
+        ++times[fluent];
+        return fluent == literal("(lit b two)") ? AnswerKind::No : AnswerKind::Unsure;
+      });
+      EXPECT_EQ(code(session), 64) << session.outcome().message;
+      EXPECT_EQ(session.outcome().conflict, literals({"(lit a one)", "(lit a two)"}));
+      EXPECT_EQ(times[literal("(lit a one)")], 2);
+      EXPECT_EQ(times[literal("(lit a two)")], 2);
+      EXPECT_LE(times[literal("(lit b one)")], 2);
+      EXPECT_LE(times[literal("(lit b two)")], 1);
+      if (times[literal("(lit b one)")] == 1 && times[literal("(lit b two)")] == 1)
+        ++settled_by_another;
+    }
+  }
+  EXPECT_GT(settled_by_another, 0U);
+}
+
 TEST(Unsure, AbortEndsUndecidedAtOnce) {
   Options chosen;
   chosen.unsure_policy = UnsurePolicy::Abort;
