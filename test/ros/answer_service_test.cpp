@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "scenario.h"
+#include "aligner_calls.h"
 
 namespace goal_alignment::test {
 namespace {
@@ -166,11 +166,8 @@ TEST_F(AnswerService, aRevisedAnswerLeadsTheSessionOn) {
   const AlignResult before = awaitResult();
   EXPECT_EQ(before.outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
 
-  Answer call;
-  call.request.answer = Answer::Request::NO;
-  call.request.fluents = {"(quiet hall)"};
-  ASSERT_TRUE(callService("/goal_alignment/revise_answer", call));
-  EXPECT_TRUE(call.response.accepted) << call.response.message;
+  const auto revised = reviseAnswer(Answer::Request::NO, {"(quiet hall)"});
+  EXPECT_TRUE(revised.accepted) << revised.message;
   const auto plan =
       plans_.waitFor([&](const Plan& shown) { return shown.session_id == before.session_id; });
   ASSERT_TRUE(plan) << "the session did not go on";
@@ -183,9 +180,7 @@ TEST_F(AnswerService, aRevisedAnswerLeadsTheSessionOn) {
   align_.sendGoal(goal);
   EXPECT_EQ(awaitResult().outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
 
-  call.request.fluents = {"(clean hall)"};
-  ASSERT_TRUE(callService("/goal_alignment/revise_answer", call));
-  EXPECT_FALSE(call.response.accepted);
+  EXPECT_FALSE(reviseAnswer(Answer::Request::NO, {"(clean hall)"}).accepted);
 }
 
 }  // namespace

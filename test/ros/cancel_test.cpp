@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How goals end that nobody wants any more: every end carries a filled result.
-#include "goal_alignment/GetState.h"
+#include "aligner_calls.h"
 #include "goals_by_hand.h"
 
 namespace goal_alignment::test {
@@ -135,9 +135,7 @@ TEST_F(Cancel, leavesTheLatchedTopicsReadable) {
   Topic<AlignmentState> late_state(node_, "/goal_alignment/state");
   EXPECT_TRUE(late_state.waitFor(
       [](const AlignmentState& s) { return s.phase == AlignmentState::AWAITING_ANSWER; }));
-  GetState call;
-  ASSERT_TRUE(callService("/goal_alignment/get_state", call));
-  EXPECT_EQ(int{call.response.state.phase}, AlignmentState::AWAITING_ANSWER);
+  EXPECT_EQ(int{currentState().phase}, AlignmentState::AWAITING_ANSWER);
   cancelKnownGoal(align_);
   EXPECT_EQ(awaitResult().outcome, AlignResult::CANCELED);
   EXPECT_TRUE(questionIsClosed());

@@ -2,9 +2,7 @@
 // Outcomes that need no answer: plans, proofs and refusals, and that the node serves on.
 #include <std_msgs/String.h>
 
-#include "goal_alignment/GetState.h"
-#include "goal_alignment/Validate.h"
-#include "scenario.h"
+#include "aligner_calls.h"
 
 namespace goal_alignment::test {
 namespace {
@@ -159,20 +157,17 @@ TEST_F(BrokenInput, noQuestionAllowedEndsUndecided) {
 }
 
 TEST_F(BrokenInput, validateNamesFaultsAndFindsNoneInGoodModels) {
-  Validate call;
-  call.request.domain = "(define (domain d) (:predicates (p ?x))";
-  call.request.problem = "(define (problem q) (:domain d) (:init) (:goal (p a)))";
-  ASSERT_TRUE(callService("/goal_alignment/validate", call));
-  EXPECT_FALSE(call.response.valid);
-  ASSERT_FALSE(call.response.errors.empty());
-  EXPECT_EQ(call.response.errors[0].find("domain:1:"), 0U) << call.response.errors[0];
+  const auto faulty = validate("(define (domain d) (:predicates (p ?x))",
+                               "(define (problem q) (:domain d) (:init) (:goal (p a)))");
+  EXPECT_FALSE(faulty.valid);
+  ASSERT_FALSE(faulty.errors.empty());
+  EXPECT_EQ(faulty.errors[0].find("domain:1:"), 0U) << faulty.errors[0];
 
-  call.request.domain = "(define (domain d) (:predicates (p ?x)))";
-  call.request.problem =
-      "(define (problem q) (:domain d) (:objects a) (:init (p a)) (:goal (p a)))";
-  ASSERT_TRUE(callService("/goal_alignment/validate", call));
-  EXPECT_TRUE(call.response.valid);
-  EXPECT_TRUE(call.response.errors.empty());
+  const auto good =
+      validate("(define (domain d) (:predicates (p ?x)))",
+               "(define (problem q) (:domain d) (:objects a) (:init (p a)) (:goal (p a)))");
+  EXPECT_TRUE(good.valid);
+  EXPECT_TRUE(good.errors.empty());
 }
 
 }  // namespace
