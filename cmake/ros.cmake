@@ -14,7 +14,7 @@ find_package(catkin REQUIRED COMPONENTS
 
 add_message_files(DIRECTORY msg FILES
   ActionDispatch.msg ActionFeedback.msg AlignmentState.msg AlternativeGoal.msg Candidate.msg
-  Conflict.msg Fluent.msg HumanTask.msg Plan.msg PlanStep.msg Question.msg)
+  Conflict.msg Fluent.msg HumanTask.msg Plan.msg PlanStep.msg Question.msg WaitingTask.msg)
 add_service_files(DIRECTORY srv FILES
   Answer.srv AskHuman.srv Explain.srv GetFacts.srv GetState.srv SetFacts.srv Validate.srv)
 add_action_files(DIRECTORY action FILES Align.action ExecutePlan.action)

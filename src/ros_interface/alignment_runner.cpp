@@ -33,6 +33,7 @@ bool isDecided(OutcomeCode code) {
     case OutcomeCode::Canceled:
     case OutcomeCode::TimeLimit:
     case OutcomeCode::MemoryLimit:
+    case OutcomeCode::BudgetLimit:
     case OutcomeCode::NoAnswer:
     case OutcomeCode::QuestionLimit:
     case OutcomeCode::InvalidModel:
@@ -282,6 +283,8 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
   result.outcome = said.outcome;
   result.message = spokenOutcome(outcome, last, kept_.phrases);
   result.conflict = said.conflict;
+  result.conflict_proven = said.conflict_proven;
+  result.conflict_minimal = said.conflict_minimal;
   result.alternatives = said.alternatives;
   result.failing_step = said.failing_step;
   if (outcome.code == OutcomeCode::Success) {
@@ -296,6 +299,8 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
   state.phase = AlignmentState::DONE;
   state.outcome = result.outcome;
   state.conflict = result.conflict;
+  state.conflict_proven = result.conflict_proven;
+  state.conflict_minimal = result.conflict_minimal;
   state.alternatives = result.alternatives;
   announcer_.publish(state);
   announcer_.tell(fmt::format("outcome {} ({}): {}", result.outcome,

@@ -234,6 +234,8 @@ AlignResult toMessage(const session::Outcome& outcome, const phrasing::Phrases& 
   message.outcome = static_cast<std::uint16_t>(outcome.code);
   message.message = outcome.message;
   message.conflict = toMessage(outcome.conflict, phrases);
+  message.conflict_proven = outcome.conflict_proven;
+  message.conflict_minimal = outcome.conflict_minimal;
   for (const auto& alternative : outcome.alternatives) {
     message.alternatives.push_back(toMessage(alternative, phrases));
   }

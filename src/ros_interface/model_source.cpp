@@ -72,11 +72,14 @@ session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options) {
         fmt::format("max_questions is {}: expected -1 (no limit) or more", goal.max_questions));
   }
   result.max_questions = smallerLimit(goal.max_questions, options.session.max_questions);
-  if (goal.unsure_policy > AlignGoal::ABORT) {
-    throw GoalError(fmt::format("unsure_policy is {}: expected AS_YES=0, DEFER=1 or ABORT=2",
-                                int{goal.unsure_policy}));
+  if (goal.unsure_policy > AlignGoal::KEEP) {
+    throw GoalError(
+        fmt::format("unsure_policy is {}: expected AS_YES=0, DEFER=1, ABORT=2 or "
+                    "KEEP=3",
+                    int{goal.unsure_policy}));
   }
-  result.unsure_policy = static_cast<session::UnsurePolicy>(goal.unsure_policy);
+  if (goal.unsure_policy != AlignGoal::KEEP)
+    result.unsure_policy = static_cast<session::UnsurePolicy>(goal.unsure_policy);
   if (goal.max_group_size > 0) result.max_group_size = goal.max_group_size;
   result.negative_candidates = result.negative_candidates || goal.negative_candidates != 0;
   return result;

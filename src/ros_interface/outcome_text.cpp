@@ -59,6 +59,7 @@ std::string spokenOutcome(const session::Outcome& outcome, const Snapshot& last,
                                     deciding(last, conflict));
     case OutcomeCode::TimeLimit:
     case OutcomeCode::MemoryLimit:
+    case OutcomeCode::BudgetLimit:
       if (conflict.empty()) break;
       return phrasing::leftOpen(phrases, conflict);
     default:

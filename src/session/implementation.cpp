@@ -50,6 +50,7 @@ bool leavesOpen(OutcomeCode code) {
     case OutcomeCode::Canceled:
     case OutcomeCode::TimeLimit:
     case OutcomeCode::MemoryLimit:
+    case OutcomeCode::BudgetLimit:
     case OutcomeCode::NoAnswer:
     case OutcomeCode::Declined:
     case OutcomeCode::QuestionLimit:

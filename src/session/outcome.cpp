@@ -21,11 +21,13 @@ const char* outcomeWord(OutcomeCode code) noexcept {
       return "no_plan";
     case OutcomeCode::TimeLimit:
     case OutcomeCode::MemoryLimit:
+    case OutcomeCode::BudgetLimit:
     case OutcomeCode::NoAnswer:
     case OutcomeCode::Declined:
     case OutcomeCode::QuestionLimit:
     case OutcomeCode::Contradiction:
     case OutcomeCode::UnsureBlocks:
+    case OutcomeCode::Busy:
       return "undecided";
     case OutcomeCode::InvalidModel:
     case OutcomeCode::HumanPlanInvalid:
@@ -57,6 +59,7 @@ OutcomeCode outcomeOf(LimitReason reason) noexcept {
       return OutcomeCode::MemoryLimit;
     case LimitReason::None:
     case LimitReason::States:
+      return OutcomeCode::BudgetLimit;
     case LimitReason::Time:
       return OutcomeCode::TimeLimit;
   }

@@ -129,7 +129,7 @@ TEST_F(BrokenInput, fieldsOutOfRangeAreRefused) {
     return goal;
   };
   for (const AlignGoal& goal : {broken([](AlignGoal& g) { g.source = 9; }),
-                                broken([](AlignGoal& g) { g.unsure_policy = 3; }),
+                                broken([](AlignGoal& g) { g.unsure_policy = 4; }),
                                 broken([](AlignGoal& g) { g.max_questions = -2; }),
                                 broken([](AlignGoal& g) { g.time_limit = ros::Duration(-1); }),
                                 broken([](AlignGoal& g) { g.continue_session = "nobody's"; }),

@@ -22,11 +22,13 @@ enum class OutcomeCode : std::uint16_t {
   ExpectationUnachievable = 52,  ///< a conflict whose fluents are all wanted, proven
   TimeLimit = 53,
   MemoryLimit = 54,
+  BudgetLimit = 55,  ///< a search ran through its budget of states; more time would not help
   NoAnswer = 60,
   Declined = 61,
   QuestionLimit = 62,
   Contradiction = 63,
   UnsureBlocks = 64,
+  Busy = 65,  ///< of the node: a plan is being carried out, so the task was not taken on
   InvalidModel = 70,
   HumanPlanInvalid = 71,
   GoalNotExpected = 72,
@@ -59,6 +61,8 @@ struct Outcome {
   std::string message;            ///< one or two sentences for people
   FinalPlan plan;                 ///< with code Success
   std::vector<Literal> conflict;  ///< what can't be had together, with codes 51, 52, 64
+  bool conflict_proven = false;   ///< proven, not only suspected
+  bool conflict_minimal = false;  ///< every proper subset can be had
   std::vector<Alternative> alternatives;
   int failing_step = -1;  ///< index in the human plan, with code HumanPlanInvalid
 };
