@@ -50,6 +50,13 @@ TrueGoal readTrueGoalFile(const std::string& file) {
   return {literals.begin(), literals.end()};
 }
 
+// A launch file passes on an argument that was not given as an empty text.
+bool isMissing(XmlRpc::XmlRpcValue& true_goal) {
+  if (!true_goal.valid()) return true;
+  return true_goal.getType() == XmlRpc::XmlRpcValue::TypeString &&
+         static_cast<std::string&>(true_goal).empty();
+}
+
 }  // namespace
 
 TrueGoal readTrueGoal(const XmlRpc::XmlRpcValue& parameter) {
@@ -88,8 +95,12 @@ ScriptedDialogue::ScriptedDialogue(ros::NodeHandle node, const ros::NodeHandle& 
   private_node.getParam(private_node.getNamespace(), values);
   ParameterReader(values, private_node.getNamespace()).read("delay", delay_, 0, kLongestDelay);
   XmlRpc::XmlRpcValue true_goal;
-  if (!private_node.getParam("true_goal", true_goal)) {
-    throw std::invalid_argument(private_node.resolveName("true_goal") + " is not set");
+  private_node.getParam("true_goal", true_goal);
+  if (isMissing(true_goal)) {
+    throw std::invalid_argument(fmt::format(
+        "the parameter {} is missing: the file, or the list, of the fluents that are wanted; "
+        "goal_alignment.launch takes it as the argument true_goal",
+        private_node.resolveName("true_goal")));
   }
   true_goal_ = readTrueGoal(true_goal);
   service_ = node.advertiseService(kAskHumanService, &ScriptedDialogue::ask, this);
