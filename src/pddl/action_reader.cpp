@@ -162,9 +162,9 @@ void readPart(TokenReader& reader, const std::string& keyword, ast::Action& acti
 ast::Action readAction(TokenReader& reader) {
   ast::Action action;
   action.name = reader.name("the action's name");
-  reader.setPlace("action " + inQuotes(action.name.spelling));
   SectionLog log;
   while (!reader.atClose()) {
+    reader.setPlace("action " + inQuotes(action.name.spelling));
     if (!reader.atWord(":parameters") && !reader.atWord(":precondition") &&
         !reader.atWord(":effect")) {
       refuseForeign(reader);

@@ -16,13 +16,11 @@ namespace {
 
 /// Far above any planning task; keeps a wrong path from filling the memory.
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} << 20U;
+/// Of a pipe all must be read to know.
+constexpr std::uintmax_t kLargestPipe = std::uintmax_t{64} << 20U;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
   throw InputError(path, {}, "can't be read: " + reason);
-}
-
-[[noreturn]] void refuseSize(const std::string& path) {
-  refuse(path, "it is larger than 256 MiB");
 }
 
 /// Of what is there and no folder.
@@ -43,7 +41,7 @@ std::uintmax_t checkedSize(const std::string& path) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) refuse(path, error.message());
-  if (size > kLargestFile) refuseSize(path);
+  if (size > kLargestFile) refuse(path, "it is larger than 256 MiB");
   return size;
 }
 
@@ -83,7 +81,7 @@ Source readFileOrPipe(const std::string& path) {
   Source source{path, {}};
   while (file) {
     append(file, path, kAtOnce, source.text);
-    if (source.text.size() > kLargestFile) refuseSize(path);
+    if (source.text.size() > kLargestPipe) refuse(path, "more than 64 MiB come out of it");
   }
   return source;
 }

@@ -136,7 +136,7 @@ TEST(DomainParser, ADashMayBeGluedToItsType) {
       "(:predicates (in ?x -cup\t?y\r\n-box)) (:functions (f ?x -box) -number))");
   ASSERT_EQ(domain.types.size(), 2U);
   EXPECT_EQ(domain.types[0].type->spelling, "thing");
-  EXPECT_EQ(domain.types[0].type->position.column, 30);
+  EXPECT_EQ(domain.types[0].type->position.column, 33);
   ASSERT_EQ(domain.constants.size(), 3U);
   EXPECT_EQ(domain.constants[0].type->spelling, "cup");
   EXPECT_EQ(domain.constants[2].type->either.size(), 2U);
@@ -214,10 +214,10 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{kStart + "(:types a\n(:predicates (p)))",
                "d.pddl:3:1: expected a type, '-' or ')', found '('; the '(:types' at 2:1 is still "
                "open"},
-        Broken{
-            kStart + "(:action a :parameters (?x\n:effect (p)))",
-            "d.pddl:3:1: expected a parameter such as '?x' or ')', found ':effect'; the '(?x' at "
-            "2:24 is still open"},
+        Broken{kStart + "(:action a :parameters (?x\n:effect (p)))",
+               "d.pddl:3:1: expected a parameter such as '?x', '-' or ')', found ':effect'; the "
+               "'(?x' at "
+               "2:24 is still open"},
         Broken{kStart + "(:Action a :effect (and (p) (q))\n(:action b))",
                "d.pddl:3:1: expected ':parameters', ':precondition', ':effect' or ')', found '('; "
                "the '(:Action a' at 2:1 is still open"},

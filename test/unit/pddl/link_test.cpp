@@ -99,7 +99,7 @@ TEST(Link, ATypeMayHaveSeveralParents) {
   EXPECT_EQ(
       linkError("(define (domain d) " + domain + ")",
                 "(define (problem p) (:domain d)\n(:objects c - cup) (:init (on c c)) (:goal ()))"),
-      "p.pddl:2:31: 'c' is of type 'cup', but 'on' takes 'surface' there");
+      "p.pddl:2:33: 'c' is of type 'cup', but 'on' takes 'surface' there");
 }
 
 TEST(Link, APreconditionMayMakeAParameterOneOfSeveralTypes) {
@@ -111,7 +111,7 @@ TEST(Link, APreconditionMayMakeAParameterOneOfSeveralTypes) {
       domainFault(types + take + ":precondition (clear ?m) :effect (and (held ?m) (clear ?m)))"),
       "no error");
   EXPECT_EQ(domainFault(types + take + ":effect (clear ?m))"),
-            "d.pddl:2:149: '?m' is of type 'movable', but 'clear' takes 'surface' there in action "
+            "d.pddl:2:150: '?m' is of type 'movable', but 'clear' takes 'surface' there in action "
             "'take', and no precondition makes it one");
 }
 
@@ -168,7 +168,7 @@ TEST(Link, TheDomainsFaultsComeFirst) {
   EXPECT_EQ(linkError("(define (domain d) (:types room) (:predicates (p ?x))\n(:action a "
                       ":precondition (exists (?x - robots) (p ?x))))",
                       problem),
-            "d.pddl:2:41: unknown type 'robots'");
+            "d.pddl:2:40: unknown type 'robots'");
   EXPECT_EQ(linkError("(define (domain d) (:types room))", problem),
             "p.pddl:1:49: unknown type 'robot'")
       << "no fault of the domain";

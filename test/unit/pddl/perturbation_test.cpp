@@ -80,7 +80,7 @@ TEST(Perturbation, ReadsWhatPlanningReads) {
   const std::string untyped =
       "(define (domain d)\n (:predicates (p ?x - t))\n (:action a :precondition (p k)))";
   EXPECT_EQ(samples::errorOf<SemanticError>([&] { forget(untyped, 1, 0); }),
-            "d.pddl:2:22: unknown type 't'; the domain declares no types");
+            "d.pddl:2:23: unknown type 't'; the domain declares no types");
   // The problem may declare what the domain names.
   EXPECT_EQ(forget(domainWith(":precondition (q some-object)"), 1, 0).forgotten.size(), 1U);
 }

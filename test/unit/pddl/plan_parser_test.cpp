@@ -83,7 +83,7 @@ TEST(PlanParser, ReadsWhatFastForwardPrints) {
     windows += c == '\n' ? "\r\n" : std::string(1, c);
   EXPECT_EQ(steps(windows), plan);
   EXPECT_EQ(steps(samples::with(kFastForward, "\ntime", "plan cost: 3.000000\n\ntime")), plan);
-  EXPECT_EQ(parsePlan({"plan", kFastForward}).positions.at(2).line, 18);
+  EXPECT_EQ(parsePlan({"plan", kFastForward}).positions.at(2).line, 19);
 }
 
 TEST(PlanParser, ReadsFastForwardsStepsAlone) {
@@ -99,7 +99,7 @@ TEST(PlanParser, NoStepIsTakenForChatter) {
   EXPECT_EQ(planError("ff: parsing domain file\n"),
             "plan:1:1: expected an action such as '(go a b)' or 'go(a, b)', found 'ff:'");
   EXPECT_EQ(planError(kFastForward + "and so on"),
-            "plan:25:1: expected an action such as '(go a b)' or 'go(a, b)', found 'and'");
+            "plan:26:1: expected an action such as '(go a b)' or 'go(a, b)', found 'and'");
 }
 
 TEST(PlanParser, ASingleStepNeedsNoBrackets) {

@@ -73,7 +73,7 @@ TEST_F(ReadFile, WhatIsNoPipeIsReadLikeAFile) {
   EXPECT_EQ(readFileOrPipe(path("plan")).text, "(go a)");
   EXPECT_EQ(refused(path("none")), path("none") + ": can't be read: no such file");
   EXPECT_EQ(refused(folder_.string()), folder_.string() + ": can't be read: it is a directory");
-  EXPECT_EQ(refused("/dev/zero"), "/dev/zero: can't be read: it is larger than 256 MiB");
+  EXPECT_EQ(refused("/dev/zero"), "/dev/zero: can't be read: more than 64 MiB come out of it");
 }
 
 TEST_F(ReadFile, RefusesWhatIsTooLarge) {
