@@ -181,16 +181,7 @@ void addAlignCommand(CLI::App& app, Run& run) {
   command->add_flag("--json", arguments->json);
   command->callback([arguments, &run] {
     requireFiles(*arguments);
-    run = [arguments] {
-      try {
-        return Alignment(*arguments).run();
-      } catch (const Exception& exception) {
-        if (!arguments->json) throw;
-        const session::Outcome outcome = session::outcomeOf(exception);
-        std::cout << toJson(outcome).dump(2) << '\n';
-        return session::exitStatus(outcome.code);
-      }
-    };
+    run = [arguments] { return Alignment(*arguments).run(); };
   });
 }
 

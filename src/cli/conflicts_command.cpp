@@ -56,7 +56,7 @@ int findConflicts(const ConflictsArguments& arguments) {
   const bool complete = robot.achievability->findAllConflicts(limits);
   const Json json = toJson(problem, *robot.achievability);
   if (arguments.json) {
-    std::cout << json.dump(2) << '\n';
+    print(json);
   } else {
     for (const Json& conflict : json["conflicts"]) {
       std::cout << (conflict["proven"].get<bool>() ? "conflict " : "suspected");

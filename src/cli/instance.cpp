@@ -80,18 +80,23 @@ std::vector<Path> instanceFoldersBelow(const Path& root) {
   return folders;
 }
 
+pddl::Model readModel(const std::string& domain_file, const std::string& problem_file) {
+  const pddl::Source domain = pddl::readFileOrPipe(domain_file);
+  return pddl::readModel(domain, pddl::readFileOrPipe(problem_file));
+}
+
 session::Input readInput(const InstanceFiles& files) {
   session::Input input;
-  input.robot_domain = pddl::readFile(files.robot_domain);
-  input.robot_problem = pddl::readFile(files.robot_problem);
-  input.human_domain = pddl::readFile(files.human_domain);
-  input.human_problem = pddl::readFile(files.human_problem);
-  input.human_plan = pddl::parsePlan(pddl::readFile(files.human_plan)).steps;
+  input.robot_domain = pddl::readFileOrPipe(files.robot_domain);
+  input.robot_problem = pddl::readFileOrPipe(files.robot_problem);
+  input.human_domain = pddl::readFileOrPipe(files.human_domain);
+  input.human_problem = pddl::readFileOrPipe(files.human_problem);
+  input.human_plan = pddl::parsePlan(pddl::readFileOrPipe(files.human_plan)).steps;
   return input;
 }
 
 ScriptedOracle::ScriptedOracle(const std::string& true_goal_file) {
-  for (Literal& literal : pddl::parseLiterals(pddl::readFile(true_goal_file))) {
+  for (Literal& literal : pddl::parseLiterals(pddl::readFileOrPipe(true_goal_file))) {
     true_goal_.insert(std::move(literal));
   }
 }

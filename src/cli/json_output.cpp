@@ -2,6 +2,7 @@
 #include "goal_alignment/cli/json_output.h"
 
 #include <algorithm>
+#include <iostream>
 
 namespace goal_alignment::cli {
 
@@ -79,6 +80,10 @@ Json toJson(const session::Outcome& outcome) {
   return {{"outcome", session::outcomeWord(outcome.code)},
           {"code", static_cast<int>(outcome.code)},
           {"message", outcome.message}};
+}
+
+void print(const Json& json) {
+  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
 Json toJson(const session::Session& session) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "goal_alignment/cli/commands.h"
+#include "goal_alignment/cli/json_output.h"
 #include "goal_alignment/pddl/perturbation.h"
 
 namespace goal_alignment::cli {
@@ -19,6 +20,7 @@ struct PerturbArguments {
   std::uint64_t seed = 0;
   std::size_t preconditions = 1;
   std::size_t deletes = 1;
+  bool json = false;
 };
 
 void write(const std::string& text, const std::string& file) {
@@ -27,17 +29,24 @@ void write(const std::string& text, const std::string& file) {
   if (!out) throw std::invalid_argument(file + ": can't be written");
 }
 
+void report(const pddl::Perturbation& human, const PerturbArguments& arguments) {
+  if (arguments.json) {
+    Json json = {{"forgotten", human.forgotten}};
+    if (arguments.output.empty()) json["domain"] = human.text;
+    print(json);
+    return;
+  }
+  if (arguments.output.empty()) std::cout << human.text << std::flush;
+  for (const std::string& piece : human.forgotten)
+    std::cerr << "forgotten: " << piece << '\n';
+}
+
 int perturbDomain(const PerturbArguments& arguments) {
   RandomSource random(arguments.seed);
   const pddl::Perturbation human = pddl::perturb(
-      pddl::readFile(arguments.domain), arguments.preconditions, arguments.deletes, random);
-  if (arguments.output.empty()) {
-    std::cout << human.text << std::flush;
-  } else {
-    write(human.text, arguments.output);
-  }
-  for (const std::string& piece : human.forgotten)
-    std::cerr << "forgotten: " << piece << '\n';
+      pddl::readFileOrPipe(arguments.domain), arguments.preconditions, arguments.deletes, random);
+  if (!arguments.output.empty()) write(human.text, arguments.output);
+  report(human, arguments);
   return 0;
 }
 
@@ -52,6 +61,7 @@ void addPerturbCommand(CLI::App& app, Run& run) {
   command->add_option("--preconditions", arguments->preconditions, "how many are forgotten");
   command->add_option("--deletes", arguments->deletes, "how many delete effects are");
   command->add_option("-o", arguments->output, "file; standard output if not given");
+  command->add_flag("--json", arguments->json);
   command->callback([arguments, &run] { run = [arguments] { return perturbDomain(*arguments); }; });
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "goal_alignment/cli/commands.h"
+#include "goal_alignment/cli/instance.h"
 #include "goal_alignment/cli/interrupt.h"
 #include "goal_alignment/cli/json_output.h"
 #include "goal_alignment/common/exceptions.h"
@@ -72,8 +73,7 @@ class Planning {
       timing_[name] = secondsSince(phase);
       phase = Clock::now();
     };
-    const pddl::Model model =
-        pddl::readModel(pddl::readFile(arguments_.domain), pddl::readFile(arguments_.problem));
+    const pddl::Model model = readModel(arguments_.domain, arguments_.problem);
     lap("parse");
     const std::vector<Literal> goal = model.goalLiterals();
     const bool unit_costs = !(arguments_.optimal && model.has_costs);
@@ -124,7 +124,7 @@ class Planning {
     json["evaluated"] = result_.statistics.evaluated;
     json["timing"] = timing_;
     json["peak_mib"] = peakMib();
-    std::cout << json.dump(2) << '\n';
+    print(json);
   }
 
   const PlanArguments& arguments_;

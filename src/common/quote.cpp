@@ -15,8 +15,9 @@ std::size_t lengthByLead(unsigned lead) {
   return lead >= 0xF0U && lead <= 0xF4U ? 4 : 0;
 }
 
-/// Bytes of the character at the front, or 0 where none is (The Unicode Standard, table 3-7).
-std::size_t characterLength(std::string_view text) {
+}  // namespace
+
+std::size_t utf8CharacterLength(std::string_view text) {
   const auto byte = [&](std::size_t i) -> unsigned { return static_cast<unsigned char>(text[i]); };
   const std::size_t length = lengthByLead(byte(0));
   if (length > text.size()) return 0;
@@ -32,12 +33,10 @@ std::size_t characterLength(std::string_view text) {
   return wrong ? 0 : length;
 }
 
-}  // namespace
-
 std::size_t utf8Length(std::string_view text, std::size_t most) {
   std::size_t length = 0;
   while (length < text.size()) {
-    const std::size_t next = characterLength(text.substr(length));
+    const std::size_t next = utf8CharacterLength(text.substr(length));
     if (next == 0 || length + next > most) break;
     length += next;
   }

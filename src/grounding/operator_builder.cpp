@@ -396,12 +396,17 @@ void OperatorBuilder::writeComplement(task::FactId complement, const Touch& by,
 task::Cost OperatorBuilder::cost(std::size_t instantiation) const {
   const Schema& action = schemaOf(instantiation);
   if (options_.unit_costs || !model_.has_costs) return 1;
-  if (!action.function_cost) return action.constant_cost;
-  const pddl::Atom term = conditions_.atom(*action.function_cost);
-  const auto value = model_.function_values.find(term);
-  if (value != model_.function_values.end()) return action.constant_cost + value->second;
-  std::string text = "(" + model_.functions[static_cast<std::size_t>(term.predicate)].name.name;
-  for (const pddl::ObjectId object : term.objects)
+  task::Cost cost = action.constant_cost;
+  for (const pddl::LiftedAtom& function : action.function_costs)
+    cost += valueOf(action, conditions_.atom(function));
+  return cost;
+}
+
+task::Cost OperatorBuilder::valueOf(const Schema& action, const pddl::Atom& function) const {
+  const auto value = model_.function_values.find(function);
+  if (value != model_.function_values.end()) return value->second;
+  std::string text = "(" + model_.functions[static_cast<std::size_t>(function.predicate)].name.name;
+  for (const pddl::ObjectId object : function.objects)
     text += " " + model_.objects[static_cast<std::size_t>(object)].name.spelling;
   throw pddl::SemanticError(model_.problem_source, {},
                             "the cost of action '" + action.name.spelling + "' needs a value of " +

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "declaration_reader.h"
+#include "foreign_keyword.h"
 #include "formula_reader.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/pddl/near_name.h"
@@ -13,32 +14,44 @@ namespace goal_alignment::pddl {
 
 namespace {
 
-/// What follows `(increase`: `(total-cost) n` or `(total-cost) (f term …)`.
-ast::CostEffect readIncrease(TokenReader& reader) {
-  reader.open("'(total-cost)'");
-  if (reader.atName() && !reader.atWord("total-cost")) {
-    reader.failUnsupported(
-        reader.current().position,
-        "'increase' of " + inQuotes(reader.current().text) + " (a numeric fluent)");
-  }
-  reader.word("total-cost", "'total-cost'");
-  reader.close();
-  ast::CostEffect cost;
-  if (!reader.atOpen()) {
-    cost.constant = readCost(reader);
-    return cost;
-  }
-  reader.open();
+/// A function with its value in the initial state. PDDL 2.1 lets one without arguments stand bare.
+ast::Atom readCostFunction(TokenReader& reader) {
+  const bool bare = reader.atWord();
+  if (!bare) reader.open();
   if (reader.atWord("+") || reader.atWord("-") || reader.atWord("*") || reader.atWord("/")) {
     reader.failUnsupported(reader.current().position, "arithmetic in an action cost");
   }
   if (reader.atWord("total-cost")) {
     reader.failUnsupported(reader.current().position, "'total-cost' as an action cost");
   }
-  cost.function = readAtom(reader, Terms::WithParameters, "a function");
+  if (bare) return {reader.name("a function"), {}};
+  ast::Atom function = readAtom(reader, Terms::WithParameters, "a function");
   reader.close();
+  return function;
+}
+
+/// What follows `(increase`: `(total-cost) n` or `(total-cost) (f term …)`.
+ast::CostEffect readIncrease(TokenReader& reader) {
+  const bool bare = reader.atWord();
+  if (!bare) reader.open("'(total-cost)'");
+  if (reader.atName() && !reader.atWord("total-cost")) {
+    reader.failUnsupported(
+        reader.current().position,
+        "'increase' of " + inQuotes(reader.current().text) + " (a numeric fluent)");
+  }
+  reader.word("total-cost", "'total-cost'");
+  if (!bare) reader.close();
+  ast::CostEffect cost;
+  if (reader.atOpen() || (reader.atName() && !atNumber(reader))) {
+    cost.function = readCostFunction(reader);
+  } else {
+    cost.constant = readCost(reader);
+  }
   return cost;
 }
+
+/// Bounds what a single action can cost.
+constexpr std::size_t kMostCosts = 100;
 
 /// Conditions are copied to all that stands below them, so this bounds what an effect grows to.
 constexpr int kDeepestEffect = 10;
@@ -115,10 +128,11 @@ class EffectReader {
     if (depth_ > 0) {
       reader_.failUnsupported(increase.position, "a cost inside of 'forall' or 'when'");
     }
-    // Two constants could be added up, but two functions need arithmetic on costs; domains that
-    // do so are rare and would want it said.
-    if (action_.cost) reader_.failUnsupported(increase.position, "a second cost of one action");
-    action_.cost = readIncrease(reader_);
+    if (action_.costs.size() == kMostCosts) {
+      reader_.failUnsupported(increase.position,
+                              "more than " + std::to_string(kMostCosts) + " costs of one action");
+    }
+    action_.costs.push_back(readIncrease(reader_));
   }
 
   TokenReader& reader_;
@@ -148,14 +162,12 @@ void readPart(TokenReader& reader, const std::string& keyword, ast::Action& acti
 ast::Action readAction(TokenReader& reader) {
   ast::Action action;
   action.name = reader.name("the action's name");
-  reader.setPlace("action " + inQuotes(action.name.spelling));
   SectionLog log;
   while (!reader.atClose()) {
-    if (reader.atWord(":vars")) {
-      reader.failUnsupported(reader.current().position, "':vars' (variables beside parameters)");
-    }
+    reader.setPlace("action " + inQuotes(action.name.spelling));
     if (!reader.atWord(":parameters") && !reader.atWord(":precondition") &&
         !reader.atWord(":effect")) {
+      refuseForeign(reader);
       const std::string found(reader.atWord() ? reader.current().text : "");
       reader.failExpecting("':parameters', ':precondition', ':effect' or ')'",
                            suggestion(found, {":parameters", ":precondition", ":effect"}));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "foreign_keyword.h"
 #include "formula_reader.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/pddl/near_name.h"
@@ -47,8 +48,8 @@ ast::Predicate readSignature(TokenReader& reader, const std::string& what) {
 
 /// The `- number` that may follow a function.
 void readFunctionType(TokenReader& reader) {
-  if (!reader.atWord("-")) return;
-  reader.word("'-'");
+  if (!reader.atDash()) return;
+  reader.dash();
   // Other types than `number` make it an object fluent.
   const ast::TypeName type = readType(reader);
   if (toLower(type.spelling) != "number") {
@@ -86,12 +87,12 @@ std::vector<ast::TypedName> readTypedList(TokenReader& reader, ListOf kind,
   std::size_t typed = 0;  // names before this one have got their type
   while (!reader.atClose()) {
     const std::string expected = what + (typed < list.size() ? ", '-' or ')'" : " or ')'");
-    if (typed == list.size() || !reader.atWord("-")) {
+    if (typed == list.size() || !reader.atDash()) {
       const bool variables = kind == ListOf::Variables;
       list.push_back({variables ? reader.variable(expected) : reader.name(expected), {}});
       continue;
     }
-    reader.word("'-'");
+    reader.dash();
     const auto type = std::make_shared<const ast::TypeName>(readType(reader));
     if (kind == ListOf::Types && !type->either.empty()) {
       reader.failUnsupported(type->position, "'either' (a union of types) as a parent");
@@ -120,11 +121,8 @@ std::vector<ast::Predicate> readFunctions(TokenReader& reader) {
 
 void expectSection(const TokenReader& reader, const Sections& sections) {
   const auto here = [&](const std::string& keyword) { return reader.atWord(keyword); };
-  const auto refused = std::find_if(sections.refused.begin(), sections.refused.end(), here);
-  if (refused != sections.refused.end()) {
-    reader.failUnsupported(reader.current().position, "'" + *refused + "'");
-  }
   if (std::any_of(sections.known.begin(), sections.known.end(), here)) return;
+  refuseForeign(reader);
   const std::string found(reader.atWord() ? reader.current().text : "");
   reader.failExpecting(sections.expected, suggestion(found, sections.known));
 }

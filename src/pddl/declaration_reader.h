@@ -39,11 +39,10 @@ class SectionLog {
 /// The names of sections that one kind of text has.
 struct Sections {
   std::vector<std::string> known;
-  std::vector<std::string> refused;  ///< of PDDL, but of no use here
-  std::string expected;              ///< for messages
+  std::string expected;  ///< for messages
 };
 
-/// At the name of a section. Known to PDDL but not to us, or known to nobody: throws
+/// At the name of a section. Known to others but not to us, or known to nobody: throws
 /// UnsupportedError or SyntaxError.
 void expectSection(const TokenReader& reader, const Sections& sections);
 

@@ -12,11 +12,8 @@ namespace goal_alignment::pddl {
 
 namespace {
 
-/// Refused are sections of PDDL's later versions, and of its earliest.
 const Sections kSections{
     {":requirements", ":types", ":constants", ":predicates", ":functions", ":action"},
-    {":durative-action", ":derived", ":axiom", ":constraints", ":process", ":event", ":extends",
-     ":timeless", ":safety", ":domain-variables"},
     "a section of a domain, such as ':action'"};
 
 /// (define (domain name) section …), the sections in any order: nothing is looked up before

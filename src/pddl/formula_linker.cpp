@@ -7,6 +7,13 @@
 
 namespace goal_alignment::pddl {
 
+namespace {
+
+/// One that only the problem may declare.
+constexpr ObjectId kAnyObject = -1;
+
+}  // namespace
+
 std::vector<int> FormulaLinker::enter(const std::vector<ast::TypedName>& variables) {
   std::vector<int> entered;
   std::vector<Hidden> hidden;
@@ -57,7 +64,10 @@ Equality FormulaLinker::equality(const ast::Literal& literal) const {
 // A variable, or an object by name: the domain's constants, and since problem files are linked with
 // it also its objects.
 Term FormulaLinker::term(const ast::Name& name) const {
-  if (name.spelling.front() != '?') return {false, context_.objects.at(name, source_name_)};
+  if (name.spelling.front() != '?') {
+    if (context_.domain_alone && !context_.objects.find(name.spelling)) return {false, kAnyObject};
+    return {false, context_.objects.at(name, source_name_)};
+  }
   const auto found = indices_.find(toLower(name.spelling).substr(1));
   if (found != indices_.end()) return {true, found->second};
   std::vector<std::string> known;
@@ -72,6 +82,7 @@ Term FormulaLinker::term(const ast::Name& name) const {
 /// type can make the atom true. Types without an object in common can't.
 void FormulaLinker::checkType(const ast::Name& name, const Term& term, const Predicate& signature,
                               TypeId wanted) const {
+  if (!term.is_parameter && term.index == kAnyObject) return;
   const Model& model = context_.model;
   const TypeId is =
       term.is_parameter ? variables_[term.index].type : model.objects[term.index].type;

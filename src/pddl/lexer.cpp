@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/pddl/lexer.h"
 
+#include "foreign_character.h"
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/pddl/exceptions.h"
 
 namespace goal_alignment::pddl {
@@ -21,10 +23,12 @@ bool isWordCharacter(char c) {
   return c > ' ' && c < '\x7f' && c != '(' && c != ')' && c != ';';
 }
 
-std::string hexadecimal(char c) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  const auto byte = static_cast<unsigned char>(c);
-  return std::string("0x") + kDigits[byte >> 4U] + kDigits[byte & 15U];
+/// Bytes of the character at the front that may stand in a word; 0 where it may not.
+std::size_t wordCharacterLength(std::string_view text) {
+  if (static_cast<unsigned char>(text.front()) < 0x80U)
+    return isWordCharacter(text.front()) ? 1 : 0;
+  const std::size_t length = utf8CharacterLength(text);
+  return length > 0 && passesForLetter(text.substr(0, length)) ? length : 0;
 }
 
 }  // namespace
@@ -48,10 +52,12 @@ Token Lexer::next() {
     return {c == '(' ? Token::Kind::Open : Token::Kind::Close, text_.substr(first, 1), begin};
   }
   // Nor has a variable: `(aircraft?a)` stands in an IPC domain.
-  while (offset_ < text_.size() && isWordCharacter(text_[offset_]) &&
-         (text_[offset_] != '?' || offset_ == first))
-    ++offset_;
-  if (offset_ == first) refuseByte();
+  while (offset_ < text_.size() && (text_[offset_] != '?' || offset_ == first)) {
+    const std::size_t length = wordCharacterLength(text_.substr(offset_));
+    if (length == 0) break;
+    offset_ += length;
+  }
+  if (offset_ == first) refuse();
   return {Token::Kind::Word, text_.substr(first, offset_ - first), begin};
 }
 
@@ -76,7 +82,7 @@ void Lexer::skipBlanksAndComments() {
 
 void Lexer::skipComment() {
   while (offset_ < text_.size() && !isLineEnd(text_[offset_])) {
-    if (text_[offset_] == '\0') refuseByte();
+    if (text_[offset_] == '\0') refuse();
     ++offset_;
   }
 }
@@ -89,9 +95,9 @@ void Lexer::endLine() {
   ++line_;
 }
 
-void Lexer::refuseByte() const {
+void Lexer::refuse() const {
   throw SyntaxError(source_.name, position(),
-                    "expected PDDL text, found the byte " + hexadecimal(text_[offset_]));
+                    "expected PDDL text, found " + foreignCharacter(text_, offset_));
 }
 
 }  // namespace goal_alignment::pddl

@@ -19,6 +19,7 @@ struct LinkContext {
   const ast::Domain& domain;
   const ast::Problem& problem;
   LimitMonitor monitor;
+  bool domain_alone = false;  ///< an object that it does not declare may be any problem's
   Model model;
   NameTable types{"type"};
   NameTable objects{"object"};
@@ -31,6 +32,7 @@ struct LinkContext {
 
   /// The declared type, or `object` where none was written. A union enters the model's types.
   TypeId typeOf(const ast::TypedName& typed, const std::string& source_name);
+  TypeId typeNamed(const ast::Name& name, const std::string& source_name) const;
 };
 
 /// Predicates or functions with their names: the two kinds of things that take arguments.

@@ -34,8 +34,15 @@ void LinkContext::pollLimits() {
 
 TypeId LinkContext::typeOf(const ast::TypedName& typed, const std::string& source_name) {
   if (!typed.type) return kObjectType;
-  if (typed.type->either.empty()) return types.at(*typed.type, source_name);
+  if (typed.type->either.empty()) return typeNamed(*typed.type, source_name);
   return unionOf(*this, *typed.type, source_name);
+}
+
+TypeId LinkContext::typeNamed(const ast::Name& name, const std::string& source_name) const {
+  if (const std::optional<TypeId> id = types.find(name.spelling)) return *id;
+  throw SemanticError(source_name, name.position,
+                      types.unknown(name.spelling) +
+                          (domain.types.empty() ? "; the domain declares no types" : ""));
 }
 
 Vocabulary predicatesOf(const LinkContext& context) {
@@ -90,8 +97,21 @@ Atom linkGroundAtom(const LinkContext& context, const ast::Atom& atom, const Voc
   return ground;
 }
 
+void checkDomain(const ast::Domain& domain, const Limits& limits) {
+  ast::Problem none;
+  none.source = domain.source;
+  LinkContext context(domain, none, limits);
+  context.domain_alone = true;
+  linkTypes(context);
+  linkObjects(context);
+  linkPredicatesAndFunctions(context);
+  linkSchemas(context);
+}
+
 Model link(const ast::Domain& domain, const ast::Problem& problem, const Limits& limits) {
   requireSameDomain(domain, problem);
+  // First alone: else a type that it uses and does not declare would be an object's in the problem.
+  checkDomain(domain, limits);
   // Each step reads what the ones before it have declared.
   LinkContext context(domain, problem, limits);
   linkTypes(context);

@@ -21,14 +21,13 @@ std::optional<SchemaId> Model::findSchema(const std::string& lower_name) const {
 
 bool Model::isSubtype(TypeId type, TypeId of) const {
   const auto below = [&](TypeId member) { return isSubtype(member, of); };
-  const auto above = [&](TypeId member) { return isSubtype(type, member); };
+  const auto holds = [&](TypeId member) { return isSubtype(type, member); };
   const std::vector<TypeId>& members = types[type].members;
   if (!members.empty()) return std::all_of(members.begin(), members.end(), below);
   const std::vector<TypeId>& of_members = types[of].members;
-  if (!of_members.empty()) return std::any_of(of_members.begin(), of_members.end(), above);
-  while (type != of && type != kObjectType)
-    type = types[type].parent;
-  return type == of;
+  if (!of_members.empty()) return std::any_of(of_members.begin(), of_members.end(), holds);
+  const std::vector<TypeId>& above = types[type].above;
+  return of == kObjectType || std::binary_search(above.begin(), above.end(), of);
 }
 
 bool Model::overlap(TypeId a, TypeId b) const {
@@ -38,7 +37,14 @@ bool Model::overlap(TypeId a, TypeId b) const {
                        [&](TypeId member) { return overlap(member, b); });
   }
   if (!types[b].members.empty()) return overlap(b, a);
-  return isSubtype(a, b) || isSubtype(b, a);
+  if (isSubtype(a, b) || isSubtype(b, a)) return true;
+  // Some type has both among its parents' lines.
+  return std::any_of(types.begin(), types.end(), [&](const Type& type) {
+    const auto is = [&](TypeId of) {
+      return std::binary_search(type.above.begin(), type.above.end(), of);
+    };
+    return is(a) && is(b);
+  });
 }
 
 std::optional<Atom> Model::resolve(const GroundName& ground, std::string* why_not) const {

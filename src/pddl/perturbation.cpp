@@ -8,6 +8,7 @@
 
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/pddl/lexer.h"
+#include "goal_alignment/pddl/model.h"
 #include "goal_alignment/pddl/parser.h"
 
 namespace goal_alignment::pddl {
@@ -89,18 +90,20 @@ class Collector {
   std::string_view action_;
 };
 
-void draw(const std::vector<Piece>& pieces, std::size_t count, const std::string& what,
-          const std::string& source, RandomSource& random, std::vector<Piece>& drawn) {
-  if (count > pieces.size()) {
-    throw std::invalid_argument(source + ": can't forget " + std::to_string(count) + " " + what +
-                                ", there are " + std::to_string(pieces.size()));
-  }
-  std::vector<Piece> left = pieces;
-  for (; count > 0; --count) {
-    std::swap(left[random.below(left.size())], left.back());
-    drawn.push_back(left.back());
-    left.pop_back();
-  }
+using Pieces = std::vector<Piece>;
+
+[[noreturn]] void refuseCount(const Source& domain, std::size_t count, const std::string& what,
+                              const std::string& but) {
+  throw std::invalid_argument(domain.name + ": can't forget " + std::to_string(count) + " " + what +
+                              ", " + but);
+}
+
+// A random one of them, which they are without then.
+Piece drawn(Pieces& pieces, RandomSource& random) {
+  std::swap(pieces[random.below(pieces.size())], pieces.back());
+  const Piece piece = pieces.back();
+  pieces.pop_back();
+  return piece;
 }
 
 // What goes with a piece: the blanks before it, and its line where nothing else stands there.
@@ -115,24 +118,14 @@ std::string_view withItsLine(std::string_view piece, std::string_view text) {
   return text.substr(begin, end - begin);
 }
 
-}  // namespace
-
-Perturbation perturb(const Source& domain, std::size_t preconditions, std::size_t deletes,
-                     RandomSource& random) {
-  parseDomain(domain);
-  Lexer lexer(domain);
-  const Expression read = readExpression(lexer, lexer.next());
-  const Collector all(read);
-  std::vector<Piece> drawn;
-  draw(all.preconditions, preconditions, "preconditions", domain.name, random, drawn);
-  draw(all.deletes, deletes, "delete effects", domain.name, random, drawn);
-  std::sort(drawn.begin(), drawn.end(),
+// The text without the pieces.
+Perturbation without(const Source& domain, Pieces pieces) {
+  std::sort(pieces.begin(), pieces.end(),
             [](const Piece& a, const Piece& b) { return a.text.data() < b.text.data(); });
-
   Perturbation result;
   const std::string_view text = domain.text;
   std::size_t copied = 0;
-  for (const Piece& piece : drawn) {
+  for (const Piece& piece : pieces) {
     const std::string_view out = piece.in_conjunction ? withItsLine(piece.text, text) : piece.text;
     const auto begin = static_cast<std::size_t>(out.data() - text.data());
     result.text += text.substr(copied, begin - copied);
@@ -143,6 +136,51 @@ Perturbation perturb(const Source& domain, std::size_t preconditions, std::size_
   }
   result.text += text.substr(copied);
   return result;
+}
+
+bool isSound(const Source& domain) {
+  try {
+    checkDomain(parseDomain(domain));
+    return true;
+  } catch (const SemanticError&) {
+    return false;
+  }
+}
+
+// Those drawn. A precondition may be what tells that a variable is of the type that an effect
+// needs: nobody could read a domain without it.
+Pieces drawPreconditions(const Source& domain, Pieces pieces, std::size_t count,
+                         RandomSource& random) {
+  Pieces chosen;
+  while (chosen.size() < count && !pieces.empty()) {
+    chosen.push_back(drawn(pieces, random));
+    if (!isSound({domain.name, without(domain, chosen).text})) chosen.pop_back();
+  }
+  if (chosen.size() < count) {
+    refuseCount(domain, count, "preconditions",
+                std::to_string(chosen.size()) + " is the most that leaves a domain");
+  }
+  return chosen;
+}
+
+}  // namespace
+
+Perturbation perturb(const Source& domain, std::size_t preconditions, std::size_t deletes,
+                     RandomSource& random) {
+  checkDomain(parseDomain(domain));
+  Lexer lexer(domain);
+  const Expression read = readExpression(lexer, lexer.next());
+  Collector all(read);
+  const auto require = [&](const Pieces& pieces, std::size_t count, const std::string& what) {
+    if (count <= pieces.size()) return;
+    refuseCount(domain, count, what, "there are " + std::to_string(pieces.size()));
+  };
+  require(all.preconditions, preconditions, "preconditions");
+  require(all.deletes, deletes, "delete effects");
+  Pieces chosen = drawPreconditions(domain, all.preconditions, preconditions, random);
+  for (; deletes > 0; --deletes)
+    chosen.push_back(drawn(all.deletes, random));
+  return without(domain, std::move(chosen));
 }
 
 }  // namespace goal_alignment::pddl

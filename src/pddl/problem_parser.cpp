@@ -14,7 +14,6 @@ namespace goal_alignment::pddl {
 namespace {
 
 const Sections kSections{{":domain", ":requirements", ":objects", ":init", ":goal", ":metric"},
-                         {":constraints", ":length", ":situation"},
                          "a section of a problem, such as ':init'"};
 
 /// (define (problem name) section …), in any order. Objects, initial facts and a metric may be
@@ -33,9 +32,9 @@ class ProblemParser {
       readSection();
       reader_.close();
     }
-    requireSection(problem_.domain_name.position, "(:domain …)");
-    requireSection(problem_.goal_position, "(:goal …)");
-    reader_.close();
+    const SourcePosition end = reader_.close();
+    requireSection(problem_.domain_name.position, "(:domain …)", end);
+    requireSection(problem_.goal_position, "(:goal …)", end);
     reader_.finish();
     return std::move(problem_);
   }
@@ -109,13 +108,17 @@ class ProblemParser {
     reader_.failUnsupported(reader_.current().position, "'and' (list the facts themselves)");
   }
 
-  /// `= (f obj …) n`.
+  /// `= (f obj …) n`, or `= f n` without arguments.
   void readFunctionValue() {
     const Token sign = reader_.word("'='");
-    reader_.open("a function's '('");
     ast::FunctionValue value;
-    value.function = readAtom(reader_, Terms::ObjectsOnly, "a function");
-    reader_.close();
+    if (reader_.atName()) {
+      value.function.predicate = reader_.name("a function");
+    } else {
+      reader_.open("a function's '('");
+      value.function = readAtom(reader_, Terms::ObjectsOnly, "a function");
+      reader_.close();
+    }
     if (reader_.atName() && !atNumber(reader_)) {
       reader_.failUnsupported(sign.position, "a function to an object (an object fluent)");
     }
@@ -129,19 +132,25 @@ class ProblemParser {
       reader_.failUnsupported(reader_.current().position, "'maximize'");
     }
     reader_.word("minimize", "'minimize'");
-    reader_.open("'(total-cost)'");
+    // PDDL 2.1 lets a function without arguments stand bare.
+    const bool bare = reader_.atWord();
+    if (!bare) reader_.open("'(total-cost)'");
     if (reader_.atWord() && !reader_.atWord("total-cost")) {
       reader_.failUnsupported(reader_.current().position,
                               "minimising " + inQuotes(reader_.current().text));
     }
     reader_.word("total-cost", "'total-cost'");
-    reader_.close();
+    if (!bare) reader_.close();
     problem_.minimises_total_cost = true;
   }
 
-  // Called at the closing parenthesis, where the missing section should have stood.
-  void requireSection(SourcePosition position, const std::string& section) const {
-    if (position.line == 0) reader_.failExpecting(section);
+  /// `end`: the closing parenthesis, where the missing section should have stood. Text behind it
+  /// has lost its way.
+  void requireSection(SourcePosition position, const std::string& section,
+                      SourcePosition end) const {
+    if (position.line > 0) return;
+    const std::string hint = reader_.atEnd() ? "" : reader_.bracketHint();
+    reader_.fail(end, "expected " + section + ", found ')'" + hint);
   }
 
   std::shared_ptr<const Source> source_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -12,8 +13,9 @@ namespace goal_alignment::pddl {
 
 namespace {
 
-/// The variables' types where a condition holds, as far as that is known.
-using NarrowedTypes = std::vector<TypeId>;
+/// The types that each variable is known to have where a condition holds, besides its own; none of
+/// them says what another one does.
+using NarrowedTypes = std::vector<std::vector<TypeId>>;
 
 /// One action schema, its names replaced by ids. The order matters: effects are checked against
 /// what the conditions say about the variables' types.
@@ -37,7 +39,8 @@ class SchemaLinker {
       addEffect(literal, narrowed, schema_.add, schema_.del);
     for (const ast::ConditionalEffect& effect : action_.conditional)
       addConditional(effect, {}, narrowed);
-    if (action_.cost) addCost(*action_.cost);
+    for (const ast::CostEffect& cost : action_.costs)
+      addCost(cost);
     const auto behind = static_cast<std::ptrdiff_t>(schema_.parameters.size());
     schema_.quantified.assign(linker_.variables().begin() + behind, linker_.variables().end());
     return std::move(schema_);
@@ -88,14 +91,29 @@ class SchemaLinker {
   }
 
   void addCost(const ast::CostEffect& cost) {
-    schema_.constant_cost = cost.constant;
-    if (cost.function) schema_.function_cost = linker_.atom(*cost.function, functionsOf(context_));
+    schema_.constant_cost += cost.constant;
+    if (!cost.function) return;
+    schema_.function_costs.push_back(linker_.atom(*cost.function, functionsOf(context_)));
   }
 
-  TypeId typeOf(int variable, const NarrowedTypes& narrowed) const {
+  /// The last one says the most of where it came from.
+  std::vector<TypeId> typesOf(int variable, const NarrowedTypes& narrowed) const {
     const auto index = static_cast<std::size_t>(variable);
-    const bool known = index < narrowed.size() && narrowed[index] != kObjectType;
-    return known ? narrowed[index] : linker_.variables()[index].type;
+    const bool known = index < narrowed.size() && !narrowed[index].empty();
+    return known ? narrowed[index] : std::vector<TypeId>{linker_.variables()[index].type};
+  }
+
+  bool anyIs(const std::vector<TypeId>& types, TypeId wanted) const {
+    return std::any_of(types.begin(), types.end(),
+                       [&](TypeId type) { return context_.model.isSubtype(type, wanted); });
+  }
+
+  /// Adds one to the types that a variable has.
+  void narrow(std::vector<TypeId>& types, TypeId type) const {
+    if (anyIs(types, type)) return;
+    const auto said = [&](TypeId known) { return context_.model.isSubtype(type, known); };
+    types.erase(std::remove_if(types.begin(), types.end(), said), types.end());
+    types.push_back(type);
   }
 
   /// Where a formula holds, its variables have the types of the atoms that must be true.
@@ -107,12 +125,13 @@ class SchemaLinker {
     if (formula.kind != Formula::Kind::Literal || formula.literal.negated) return;
     const LiftedAtom& atom = formula.literal.atom;
     const Predicate& predicate = context_.model.predicates[atom.predicate];
-    narrowed.resize(linker_.variables().size(), kObjectType);
+    narrowed.resize(linker_.variables().size());
     for (std::size_t i = 0; i < atom.terms.size(); ++i) {
       if (!atom.terms[i].is_parameter) continue;
       const int variable = atom.terms[i].index;
-      const TypeId type = predicate.parameter_types[i];
-      if (context_.model.isSubtype(type, typeOf(variable, narrowed))) narrowed[variable] = type;
+      std::vector<TypeId> types = typesOf(variable, narrowed);
+      narrow(types, predicate.parameter_types[i]);
+      narrowed[variable] = std::move(types);
     }
   }
 
@@ -123,10 +142,10 @@ class SchemaLinker {
     const Predicate& predicate = model.predicates[atom.predicate];
     for (std::size_t i = 0; i < atom.terms.size(); ++i) {
       if (!atom.terms[i].is_parameter) continue;
-      const TypeId is = typeOf(atom.terms[i].index, narrowed);
+      const std::vector<TypeId> are = typesOf(atom.terms[i].index, narrowed);
       const TypeId wanted = predicate.parameter_types[i];
-      if (model.isSubtype(is, wanted)) continue;
-      linker_.fail(written.terms[i], wrongType(model, written.terms[i].spelling, is,
+      if (anyIs(are, wanted)) continue;
+      linker_.fail(written.terms[i], wrongType(model, written.terms[i].spelling, are.back(),
                                                predicate.name.spelling, wanted) +
                                          linker_.here() + ", and no precondition makes it one");
     }

@@ -32,6 +32,8 @@ class TokenReader {
   /// At a word that can be the name of something: no `?x`, no `:keyword`, no `-` or `=`.
   bool atName() const;
   bool atVariable() const;
+  /// At a `-`, or a word that begins with one, as no name does: `-room`.
+  bool atDash() const;
 
   /// Each takes the current token, or throws SyntaxError: expected `what`, found the token.
   SourcePosition open(const std::string& what = "'('");
@@ -40,24 +42,47 @@ class TokenReader {
   Token word(std::string_view lower_case, const std::string& what);
   ast::Name name(const std::string& what);
   ast::Name variable(const std::string& what);
+  void dash();
+  /// The current word's first characters; the rest, if there is any, is a word of its own.
+  Token prefix(std::size_t length);
   void finish();
 
   /// What is being read, for UnsupportedError: `the precondition of action 'climb'`.
   void setPlace(std::string place) { place_ = std::move(place); }
+
+  /// Which bracket is to blame where the text goes on as if it stood elsewhere, to end a message
+  /// with; else empty.
+  std::string bracketHint() const;
 
   [[noreturn]] void failExpecting(const std::string& what, const std::string& hint = {}) const;
   [[noreturn]] void fail(SourcePosition position, const std::string& message) const;
   [[noreturn]] void failUnsupported(SourcePosition position, const std::string& construct) const;
 
  private:
+  /// A parenthesis with what it opens: `(:action go`, of which `head` is the first word.
+  struct Bracket {
+    SourcePosition position;
+    std::string_view head;
+    std::string_view name;  ///< of an action
+  };
+
   Token take();
+  void takeBracket();
+  void noteHead();
   std::string found() const;
+  std::string sectionHint() const;
+  bool atKeyword() const;
+  bool conjunctionEnded() const;
+  std::string stillOpen(const Bracket& bracket) const;
+  std::string closedEarly() const;
 
   const Source& source_;
   Lexer lexer_;
   LimitMonitor monitor_;
   Token current_;
-  std::vector<SourcePosition> open_;  ///< the parentheses that stand open, outermost first
+  std::vector<Bracket> open_;  ///< the parentheses that stand open, outermost first
+  Bracket closed_;             ///< the one that was closed last
+  SourcePosition closed_at_;   ///< and where; line 0: none was yet
   std::string place_;
 };
 

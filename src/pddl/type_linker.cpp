@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "goal_alignment/pddl/near_name.h"
 #include "link_context.h"
+#include "token_reader.h"
 
 namespace goal_alignment::pddl {
 
 namespace {
 
-constexpr int kDeepestHierarchy = 100;
+/// Bounds what Model::isSubtype() costs, which every fact and every effect asks.
+constexpr std::size_t kMostAbove = 100;
 
-/// Types form a tree below `object`; lists may name a parent before, after or without declaring it.
+/// Types stand below `object`; lists may name a parent before, after or without declaring it, and
+/// one type below several parents.
 class TypeLinker {
  public:
   explicit TypeLinker(LinkContext& context) : context_(context), types_(context.model.types) {}
@@ -22,9 +26,8 @@ class TypeLinker {
     for (const ast::TypedName& declared : context_.domain.types)
       add(declared.name);
     for (const ast::TypedName& declared : context_.domain.types)
-      setParent(declared);
-    refuseCycles();
-    refuseDeepHierarchy();
+      addParent(declared);
+    setAllAbove();
   }
 
  private:
@@ -32,64 +35,98 @@ class TypeLinker {
   TypeId add(const ast::Name& name) {
     const auto id = static_cast<TypeId>(types_.size());
     if (!context_.types.add(name.spelling, id)) return *context_.types.find(name.spelling);
-    types_.push_back({Spelled(name.spelling), id == kObjectType ? -1 : kObjectType, {}});
+    types_.push_back({Spelled(name.spelling), {}, {}});
     positions_.push_back(name.position);
+    parents_.emplace_back();
     return id;
   }
 
   /// A parent that is declared nowhere else is a type as well: IPC files rely on it.
-  void setParent(const ast::TypedName& declared) {
+  void addParent(const ast::TypedName& declared) {
     if (!declared.type) return;
     const TypeId child = add(declared.name);
     const TypeId parent = add(*declared.type);
-    // Every type is an object, so saying so beside another parent changes nothing.
-    if (parent == kObjectType) return;
-    if (child == kObjectType) fail(declared.name, "'object' is above all types and has no parent");
-    if (types_[child].parent != kObjectType && types_[child].parent != parent) {
-      fail(declared.name, "type " + inQuotes(declared.name.spelling) + " has two parents, " +
-                              inQuotes(types_[types_[child].parent].name.spelling) + " and " +
-                              inQuotes(types_[parent].name.spelling));
+    // Every type is an object and itself, so saying so changes nothing. The latter happens where a
+    // line without a type stands before one that names it as a parent: the `-` counts for both.
+    if (parent == kObjectType || parent == child) return;
+    if (child == kObjectType) {
+      fail(declared.name.position, "'object' is above all types and has no parent");
     }
-    types_[child].parent = parent;
+    std::vector<TypeId>& parents = parents_[child];
+    if (std::find(parents.begin(), parents.end(), parent) != parents.end()) return;
+    parents.push_back(parent);
+    if (parents.size() > kMostAbove) failAbove(child);
   }
 
-  /// Walks up from every type, but over each only once.
-  void refuseCycles() const {
-    std::vector<TypeId> walk_of(types_.size(), -1);
-    walk_of[kObjectType] = kObjectType;
-    for (TypeId start = 0; start < static_cast<TypeId>(types_.size()); ++start) {
-      TypeId type = start;
-      while (walk_of[type] == -1) {
-        walk_of[type] = start;
-        type = types_[type].parent;
-      }
-      if (walk_of[type] == start && type != kObjectType) {
-        throw SemanticError(
-            context_.domain.source->name, positions_[type],
-            "type " + inQuotes(types_[type].name.spelling) + " is its own ancestor");
-      }
+  /// Each type once all its parents are done, in O(types · kMostAbove · their parents).
+  void setAllAbove() {
+    std::vector<std::vector<TypeId>> children(types_.size());
+    std::vector<std::size_t> waits_for(types_.size());
+    std::vector<TypeId> ready;
+    for (TypeId type = 0; type < static_cast<TypeId>(types_.size()); ++type) {
+      for (const TypeId parent : parents_[type])
+        children[parent].push_back(type);
+      waits_for[type] = parents_[type].size();
+      if (waits_for[type] == 0) ready.push_back(type);
     }
+    for (std::size_t next = 0; next < ready.size(); ++next) {
+      const TypeId type = ready[next];
+      setAbove(type);
+      for (const TypeId child : children[type])
+        if (--waits_for[child] == 0) ready.push_back(child);
+    }
+    if (ready.size() < types_.size()) failCycle(waits_for);
   }
 
-  /// Bounds what Model::isSubtype() costs, which every fact and every effect asks.
-  void refuseDeepHierarchy() const {
-    for (std::size_t start = 0; start < types_.size(); ++start) {
-      int depth = 0;
-      for (auto type = static_cast<TypeId>(start); type != kObjectType; type = types_[type].parent)
-        if (++depth > kDeepestHierarchy) {
-          throw SemanticError(context_.domain.source->name, positions_[start],
-                              "types are nested deeper than " + std::to_string(kDeepestHierarchy));
-        }
+  void setAbove(TypeId type) {
+    std::vector<TypeId>& above = types_[type].above;
+    above.push_back(type);
+    for (const TypeId parent : parents_[type]) {
+      const std::vector<TypeId>& more = types_[parent].above;
+      above.insert(above.end(), more.begin(), more.end());
     }
+    std::sort(above.begin(), above.end());
+    above.erase(std::unique(above.begin(), above.end()), above.end());
+    if (above.size() > kMostAbove) failAbove(type);
   }
 
-  [[noreturn]] void fail(const ast::Name& at, const std::string& message) const {
-    throw SemanticError(context_.domain.source->name, at.position, message);
+  /// Of the types that wait for a parent, each has one that waits as well.
+  [[noreturn]] void failCycle(const std::vector<std::size_t>& waits_for) const {
+    const auto waits = [&](TypeId type) { return waits_for[type] > 0; };
+    const auto up = [&](TypeId type) {
+      return *std::find_if(parents_[type].begin(), parents_[type].end(), waits);
+    };
+    TypeId type = 0;
+    while (!waits(type))
+      ++type;
+    for (std::vector<bool> seen(types_.size()); !seen[type]; type = up(type))
+      seen[type] = true;
+    constexpr int kMostNamed = 5;
+    std::string chain;
+    TypeId at = type;
+    for (int named = 0; named < kMostNamed && (named == 0 || at != type); ++named, at = up(at)) {
+      chain += (named == 0 ? "" : ", ") + spelled(at) + " at " + toString(positions_[at]) +
+               " stands below " + spelled(up(at));
+    }
+    fail(positions_[type], "type " + spelled(type) + " is its own ancestor: " + chain +
+                               (at == type ? "" : ", …") +
+                               " (a '-' counts for all names before it that have no type yet)");
   }
+
+  [[noreturn]] void failAbove(TypeId type) const {
+    fail(positions_[type], "types are nested deeper than " + std::to_string(kMostAbove));
+  }
+
+  [[noreturn]] void fail(SourcePosition at, const std::string& message) const {
+    throw SemanticError(context_.domain.source->name, at, message);
+  }
+
+  std::string spelled(TypeId type) const { return inQuotes(types_[type].name.spelling); }
 
   LinkContext& context_;
   std::vector<Type>& types_;
-  std::vector<SourcePosition> positions_;  ///< of each type's first mention
+  std::vector<SourcePosition> positions_;     // of each type's first mention
+  std::vector<std::vector<TypeId>> parents_;  // but for `object`
 };
 
 }  // namespace
@@ -98,7 +135,7 @@ TypeId unionOf(LinkContext& context, const ast::TypeName& written, const std::st
   Model& model = context.model;
   std::vector<TypeId> members;
   for (const ast::Name& name : written.either) {
-    const TypeId type = context.types.at(name, source_name);
+    const TypeId type = context.typeNamed(name, source_name);
     const auto covers = [&](TypeId member) { return model.isSubtype(type, member); };
     if (std::any_of(members.begin(), members.end(), covers)) continue;
     const auto covered = [&](TypeId member) { return model.isSubtype(member, type); };
@@ -114,7 +151,7 @@ TypeId unionOf(LinkContext& context, const ast::TypeName& written, const std::st
   // No declared type's name has parentheses, so that unions may stand among them.
   const auto id = static_cast<TypeId>(model.types.size());
   if (!context.types.add(name, id)) return *context.types.find(name);
-  model.types.push_back({Spelled(name), kObjectType, std::move(members)});
+  model.types.push_back({Spelled(name), {}, std::move(members)});
   return id;
 }
 

@@ -4,19 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <stdexcept>
 
 #include "goal_alignment/common/quote.h"
+#include "goal_alignment/pddl/exceptions.h"
+#include "goal_alignment/pddl/lexer.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
-
-bool isNameCharacter(unsigned char c) {
-  return std::isgraph(c) != 0 && c != '(' && c != ')' && c != ';' && c < 0x80;
-}
 
 std::string nameOf(const std::string& text, const std::string& what) {
   if (text.empty()) throw std::invalid_argument(what + " is empty");
@@ -84,7 +81,17 @@ ActionDispatch toDispatch(const GroundName& step, const std::vector<std::string>
 }  // namespace
 
 bool isName(const std::string& text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), isNameCharacter);
+  // What a model may call something, a message may. Comments and blanks are left out between words.
+  const pddl::Source source{"", text};
+  std::size_t length = 0;
+  try {
+    pddl::Lexer lexer(source);
+    for (auto token = lexer.next(); token.kind == pddl::Token::Kind::Word; token = lexer.next())
+      length += token.text.size();
+  } catch (const pddl::SyntaxError&) {
+    return false;
+  }
+  return !text.empty() && length == text.size();
 }
 
 Literal toLiteral(const Fluent& fluent) {

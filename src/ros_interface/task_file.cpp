@@ -5,7 +5,10 @@
 #include <stdexcept>
 
 #include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/common/yaml_reader.h"
+#include "goal_alignment/pddl/exceptions.h"
+#include "goal_alignment/pddl/parser.h"
 #include "goal_alignment/pddl/source_position.h"
 #include "goal_alignment/ros_interface/package_files.h"
 
@@ -33,7 +36,7 @@ class TaskReader {
         message.negated = literal.negated;
       });
       readList("plan", "an action such as (go hall kitchen)", [this](const std::string& action) {
-        const GroundName ground = GroundName::parse(action);
+        const GroundName ground = pddl::parseStep({inQuotes(action), action});
         PlanStep& message = task_.plan.emplace_back();
         message.name = ground.name;
         message.args = ground.arguments;
@@ -58,6 +61,8 @@ class TaskReader {
       try {
         take(reader_.text(entry, what));
       } catch (const std::invalid_argument& error) {
+        reader_.failAt(entry.Mark(), error.what());
+      } catch (const pddl::InputError& error) {
         reader_.failAt(entry.Mark(), error.what());
       }
     }

@@ -33,6 +33,7 @@ class Step {
   Violation falsePrecondition(Literal literal) const;
   AtomSet touched(const AtomSet& state, bool add);
   std::optional<Violation> bindArgument(const std::string& name);
+  std::int64_t valueOf(const pddl::Atom& function) const;
   GroundName functionTerm(const pddl::Atom& term) const;
 
   const pddl::Model& model_;
@@ -150,14 +151,19 @@ AtomSet Step::touched(const AtomSet& state, bool add) {
 std::int64_t Step::cost() const {
   // As the IPC counts: without a metric it is the plan's length.
   if (!model_.has_costs) return 1;
-  if (!schema_->function_cost) return schema_->constant_cost;
-  const pddl::Atom term = instantiate(*schema_->function_cost, binding_);
-  const auto value = model_.function_values.find(term);
+  std::int64_t cost = schema_->constant_cost;
+  for (const pddl::LiftedAtom& function : schema_->function_costs)
+    cost += valueOf(instantiate(function, binding_));
+  return cost;
+}
+
+std::int64_t Step::valueOf(const pddl::Atom& function) const {
+  const auto value = model_.function_values.find(function);
   if (value != model_.function_values.end()) return value->second;
   // Not a violation of the plan: no plan that uses this action has a cost.
   throw pddl::SemanticError(model_.problem_source, {},
                             "the cost of " + model_.spelling(action_) + " is not given: " +
-                                functionTerm(term).text() + " has no value in :init");
+                                functionTerm(function).text() + " has no value in :init");
 }
 
 GroundName Step::functionTerm(const pddl::Atom& term) const {

@@ -40,6 +40,7 @@ void plan(std::string_view bytes) {
     for (const Literal& literal : pddl::parseLiterals(source))
       checkText(literal);
   });
+  isRead([&] { checkText(pddl::parseStep(source)); });
   parseAlone<GroundName>(bytes);
   parseAlone<Literal>(bytes);
 }

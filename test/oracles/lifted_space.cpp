@@ -104,12 +104,14 @@ bool equalitiesHold(const pddl::Schema& schema, const Binding& binding) {
 
 std::int64_t costOf(const Model& model, const pddl::Schema& schema, const Binding& binding) {
   if (!model.has_costs) return 1;
-  if (!schema.function_cost) return schema.constant_cost;
-  pddl::Atom term{schema.function_cost->predicate, {}};
-  for (const pddl::Term& argument : schema.function_cost->terms) {
-    term.objects.push_back(valueOf(argument, binding));
+  std::int64_t cost = schema.constant_cost;
+  for (const pddl::LiftedAtom& function : schema.function_costs) {
+    pddl::Atom term{function.predicate, {}};
+    for (const pddl::Term& argument : function.terms)
+      term.objects.push_back(valueOf(argument, binding));
+    cost += model.function_values.at(term);
   }
-  return model.function_values.at(term);
+  return cost;
 }
 
 GroundAction instantiate(const Model& model, const pddl::Schema& schema, const Binding& binding) {

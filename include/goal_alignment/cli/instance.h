@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/pddl/model.h"
 #include "goal_alignment/session/session.h"
 
 namespace goal_alignment::cli {
@@ -31,6 +32,10 @@ struct InstanceFiles {
 /// human_plan.txt of their own, but for folders without a plan that only lend their files to
 /// others. Throws std::filesystem::filesystem_error.
 std::vector<std::filesystem::path> instanceFoldersBelow(const std::filesystem::path& root);
+
+/// Reads a model from its two files, each of which may be a pipe. Throws what pddl::readModel()
+/// does.
+pddl::Model readModel(const std::string& domain_file, const std::string& problem_file);
 
 /// Reads the models' texts and the human plan. Throws pddl::InputError.
 session::Input readInput(const InstanceFiles& files);

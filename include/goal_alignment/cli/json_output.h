@@ -22,4 +22,7 @@ Json toJson(const session::Session& session);
 /// `outcome`, `code` and `message` alone: for what failed before there was a session's result.
 Json toJson(const session::Outcome& outcome);
 
+/// On standard output. Bytes that are no UTF-8, as the names of files may have, become U+FFFD.
+void print(const Json& json);
+
 }  // namespace goal_alignment::cli

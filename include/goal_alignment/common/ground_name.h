@@ -54,7 +54,7 @@ struct Literal {
   }
 };
 
-/// ASCII lower case: PDDL names are ASCII, and a locale must not change what matches.
+/// ASCII lower case, and other letters as they are: a locale must not change what matches.
 std::string toLower(std::string_view text);
 
 /// The text without the blanks and line ends around it; a part of the same text.

@@ -7,6 +7,10 @@
 
 namespace goal_alignment {
 
+/// Bytes of the character at the front of a text that is not empty, or 0 where none is (The Unicode
+/// Standard, table 3-7).
+std::size_t utf8CharacterLength(std::string_view text);
+
 /// How many bytes from the front, at most `most`, are whole characters of well-formed UTF-8.
 /// O(most).
 std::size_t utf8Length(std::string_view text, std::size_t most);

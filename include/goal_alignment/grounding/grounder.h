@@ -26,7 +26,7 @@
 ///     or, exists, forall    Formula                        alternatives, each a conjunction
 ///     when, forall in an    ConditionalEffect              ConditionalEffect, one per
 ///     instantiation effect                                               and alternative
-///     total-cost            constant_cost, function_cost   Operator::cost
+///     total-cost            constant_cost, function_costs  Operator::cost
 namespace goal_alignment::grounding {
 
 /// What a literal is for a grounded task.

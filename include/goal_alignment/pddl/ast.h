@@ -67,7 +67,7 @@ struct ConditionalEffect {
   std::vector<ConditionalEffect> nested;
 };
 
-/// `(increase (total-cost) n)` or `(increase (total-cost) (f term …))`.
+/// `(increase (total-cost) n)` or `(increase (total-cost) (f term …))`; several add up.
 struct CostEffect {
   std::int64_t constant = 0;
   std::optional<Atom> function;
@@ -84,7 +84,7 @@ struct Action {
   Condition precondition;
   std::vector<Literal> effect;
   std::vector<ConditionalEffect> conditional;
-  std::optional<CostEffect> cost;
+  std::vector<CostEffect> costs;
 };
 
 struct Domain {

@@ -21,14 +21,16 @@ struct Token {
 /// column is a byte, and a byte order mark at the start is skipped. O(text) over all calls.
 ///
 /// What a word may be is the parser's business: a lexer that knew names from numbers could only
-/// give worse messages. It refuses bytes that no PDDL holds: control and non-ASCII characters
-/// outside comments, and NUL anywhere.
+/// give worse messages. Beyond ASCII it takes letters and whatever else does not look like a part
+/// of PDDL's own signs. It refuses what no PDDL holds outside of comments: control characters,
+/// bytes that are no UTF-8, blanks, dashes and the like from word processors; and NUL anywhere.
 class Lexer {
  public:
   /// The source must outlive the lexer and its tokens.
   explicit Lexer(const Source& source);
 
-  /// The next token; after the last one, End for ever. Throws SyntaxError that names the byte.
+  /// The next token; after the last one, End for ever. Throws SyntaxError that names the byte or
+  /// character.
   Token next();
 
  private:
@@ -36,7 +38,7 @@ class Lexer {
   void skipBlanksAndComments();
   void skipComment();
   void endLine();
-  [[noreturn]] void refuseByte() const;
+  [[noreturn]] void refuse() const;
 
   const Source& source_;
   std::string_view text_;

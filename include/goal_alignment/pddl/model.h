@@ -34,10 +34,11 @@ struct Spelled {
   explicit Spelled(std::string_view written) : name(toLower(written)), spelling(written) {}
 };
 
-/// A type of the tree below `object`, or the union `(either a b)`, which stands beside it.
+/// A type below `object`, which may have several parents, or the union `(either a b)`, which stands
+/// beside those.
 struct Type {
   Spelled name;
-  TypeId parent = -1;           ///< -1 for `object`
+  std::vector<TypeId> above;    ///< itself and all above it but `object`, sorted; a union: none
   std::vector<TypeId> members;  ///< of a union, none a subtype of another; else empty
 };
 
@@ -113,9 +114,9 @@ struct Schema {
   std::vector<LiftedAtom> add;
   std::vector<LiftedAtom> del;
   std::vector<ConditionalEffect> conditional;
-  std::int64_t constant_cost = 0;           ///< of `(increase (total-cost) n)`
-  std::optional<LiftedAtom> function_cost;  ///< of `(increase (total-cost) (f …))`; .predicate
-                                            ///< indexes Model::functions
+  std::int64_t constant_cost = 0;          ///< of `(increase (total-cost) n)`, all together
+  std::vector<LiftedAtom> function_costs;  ///< of `(increase (total-cost) (f …))`; .predicate
+                                           ///< indexes Model::functions
 };
 
 /// The arguments of an atom; few have more than four, and these need no memory of their own.
@@ -183,10 +184,10 @@ struct Model {
   std::optional<ObjectId> findObject(const std::string& lower_name) const;
   std::optional<SchemaId> findSchema(const std::string& lower_name) const;
 
-  /// Reflexive and transitive. O(depth of the hierarchy · size of the unions), which are bounded.
+  /// Reflexive and transitive. O(log types above · size of the unions), which are bounded.
   bool isSubtype(TypeId type, TypeId of) const;
 
-  /// Whether an object may be of both types.
+  /// Whether an object may be of both types. O(types), where neither stands above the other.
   bool overlap(TypeId a, TypeId b) const;
 
   /// The atom by ids, or nothing where the predicate, an object, the arity or a type does not fit;
@@ -220,10 +221,16 @@ struct Model {
 
 /// Checks and resolves. Throws SemanticError (undeclared or doubly declared names, wrong arity,
 /// wrong types, cyclic types, a problem for another domain, a negative cost, …) at the first fault.
-/// Polls the limits at every fact and throws LimitReached. O(size of both texts).
+/// What the domain alone has comes first. Polls the limits at every fact and throws LimitReached.
+/// O(size of both texts).
 Model link(const ast::Domain& domain, const ast::Problem& problem, const Limits& limits = {});
 
-/// parseDomain, parseProblem and link in one.
+/// Throws what link() would whatever the problem is, so that objects which the domain does not
+/// declare are none of its faults.
+void checkDomain(const ast::Domain& domain, const Limits& limits = {});
+
+/// parseDomain, parseProblem and link in one. Throws SyntaxError where the two texts have changed
+/// places.
 Model readModel(const Source& domain, const Source& problem, const Limits& limits = {});
 
 /// Every fault found, as `file:line:column: message`: the syntax of both texts, then (when both

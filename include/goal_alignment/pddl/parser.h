@@ -16,13 +16,18 @@ ast::Domain parseDomain(const Source& source, const Limits& limits = {});
 
 ast::Problem parseProblem(const Source& source, const Limits& limits = {});
 
-/// One ground action `(name obj …)` a line, `;` comments, blank lines. Steps keep their position.
+/// Ground actions `(name obj …)` or `name(obj, …)` with `;` comments, each perhaps numbered or
+/// timed as planners print them (`3: …`, `0.001: … [1.000]`); and, where they are numbered, FF's
+/// `NAME OBJ …`, with what FF prints around a plan. Steps keep their position.
 struct PlanText {
   std::string source_name;
   std::vector<GroundName> steps;
   std::vector<SourcePosition> positions;
 };
 PlanText parsePlan(const Source& source);
+
+/// A single step in any of these forms, or `name obj …` alone.
+GroundName parseStep(const Source& source);
 
 /// One ground literal `(p obj …)` or `(not (p obj …))` a line; comments as in a plan.
 std::vector<Literal> parseLiterals(const Source& source);

@@ -21,8 +21,9 @@ struct Perturbation {
 /// too, out of the actions of a domain; all are equally likely. That is how human models are made
 /// in the evaluation of Mechergui & Sreedharan, "Goal Alignment", section "Evaluation".
 ///
-/// Throws what parseDomain() does, and std::invalid_argument where the domain has fewer of them.
-/// O(text).
+/// Throws what parseDomain() and checkDomain() do, and std::invalid_argument where the domain has
+/// fewer of them. What is left is a domain again: preconditions stay without which it would be
+/// none. O(text · preconditions).
 Perturbation perturb(const Source& domain, std::size_t preconditions, std::size_t deletes,
                      RandomSource& random);
 

@@ -14,6 +14,10 @@ struct Source {
 /// Reads a file whole. Throws InputError for what is no readable regular file.
 Source readFile(const std::string& path);
 
+/// The same, and for a pipe or a device (`<(…)`, /dev/stdin) all that comes until its end, up to
+/// 64 MiB. Waits for whoever writes, so it is for what a person typed.
+Source readFileOrPipe(const std::string& path);
+
 /// Where something stands; lines and columns count from 1. Line 0: nowhere in particular.
 struct SourcePosition {
   int line = 0;

@@ -78,6 +78,55 @@ TEST(Usage, ErrorsExitWithTwo) {
   }
 }
 
+TEST(Usage, WhoeverReadsJsonGetsAnObjectWhateverHappens) {
+  const Folder folder;
+  writeDesk(folder, "(down b)\n");
+  const std::string dir = folder.path();
+  const std::string domain = dir + "/robot_domain.pddl";
+  const std::string problem = dir + "/robot_problem.pddl";
+  folder.write("broken.pddl", "(define (problem p)\n (:domain desk) (:oops))");
+  folder.write("empty/note.txt", "");
+  const std::string broken = dir + "/broken.pddl";
+  const std::string broken_place = broken + ":2:18: expected";
+  const std::string none = dir + "/none.pddl";
+  struct Case {
+    std::vector<std::string> arguments;
+    std::string in_message;
+  };
+  const std::vector<Case> cases = {
+      {{"plan", domain, broken, "--json"}, broken_place},
+      {{"plan", "--json", domain, none}, none + ": can't be read: no such file"},
+      {{"plan", domain, "--json"}, "PROBLEM is required"},
+      {{"plan", domain, problem, "--json", "--time-limit", "soon"}, "soon"},
+      {{"plan", domain, problem, "--json", "--fly"}, "--fly"},
+      {{"validate", domain, broken, none, "--json"}, broken_place},
+      {{"validate", domain, problem, none, "--json"}, none},
+      {{"validate", domain, problem, broken, "--json"}, broken + ":2:2: expected an object"},
+      {{"conflicts", dir + "/nowhere", "--json"}, "expected an instance folder"},
+      {{"conflicts", dir + "/empty/below", "--json"}, "expected an instance folder"},
+      {{"conflicts", "--json"}, "DIR is required"},
+      {{"perturb", broken, "--json"}, broken + ":1:10: expected 'domain'"},
+      {{"perturb", domain, "--preconditions", "1000", "--json"}, "can't forget 1000 preconditions"},
+      {{"perturb", domain, "-o", dir + "/nowhere/human.pddl", "--json"}, "can't be written"},
+      {{"align", dir, "--policy", "pepper", "--json"}, "pepper"},
+      {{"align", dir + "/nowhere", "--json"}, "expected an instance folder"},
+      {{"--json"}, "subcommand is required"}};
+  for (const Case& fault : cases) {
+    const Ended ended = hagl(fault.arguments);
+    SCOPED_TRACE(fault.in_message + ended.err);
+    EXPECT_EQ(ended.status, 2);
+    ASSERT_NE(ended.out, "");
+    const json object = ended.json();
+    EXPECT_EQ(object.at("outcome"), "invalid");
+    EXPECT_EQ(object.at("code"), 70);
+    EXPECT_NE(object.at("message").get<std::string>().find(fault.in_message), std::string::npos)
+        << object;
+    EXPECT_NE(ended.err, "") << "people are told as well";
+  }
+  EXPECT_EQ(hagl({"plan", "none\xff.pddl", problem, "--json"}).json().at("outcome"), "invalid");
+  EXPECT_EQ(hagl({"plan", domain, broken}).out, "");
+}
+
 TEST(Usage, HelpIsNoError) {
   EXPECT_EQ(hagl({"--help"}).status, 0);
   EXPECT_EQ(hagl({"align", "--help"}).status, 0);
@@ -103,6 +152,33 @@ TEST(Perturb, AlignsARobotWithAPersonWhoHasForgottenSome) {
   EXPECT_EQ(folder.read("human_domain.pddl"), shown.out);
   // Who has forgotten a precondition can still do what can be done.
   EXPECT_EQ(hagl({"plan", folder / "human_domain.pddl", folder / "human_problem.pddl"}).status, 0);
+}
+
+TEST(Perturb, ListsWhatIsForgottenInJson) {
+  const Folder folder;
+  writeDesk(folder, "");
+  const std::vector<std::string> words = {"perturb", folder / "robot_domain.pddl", "--seed", "3"};
+  std::vector<std::string> in_json = words;
+  in_json.emplace_back("--json");
+  const json found = hagl(in_json).json();
+  EXPECT_EQ(found.at("forgotten").size(), 2U);
+  EXPECT_EQ(found.at("domain"), hagl(words).out);
+  in_json.insert(in_json.end(), {"-o", folder / "human_domain.pddl"});
+  EXPECT_EQ(hagl(in_json).json(), (json{{"forgotten", found.at("forgotten")}}));
+  EXPECT_EQ(folder.read("human_domain.pddl"), found.at("domain"));
+}
+
+TEST(Perturb, RefusesWhatPlanRefuses) {
+  const Folder folder;
+  folder.write(
+      "d.pddl",
+      "(define (domain d)\n (:predicates (in ?r - robot))\n"
+      " (:action a :parameters (?r - robot) :precondition (in ?r) :effect (not (in ?r))))");
+  folder.write("p.pddl", "(define (problem p) (:domain d) (:objects r - robot) (:goal (in r)))");
+  const Ended perturbed = hagl({"perturb", folder / "d.pddl"});
+  EXPECT_EQ(perturbed.status, 2);
+  EXPECT_EQ(perturbed.out, "");
+  EXPECT_EQ(perturbed.err, hagl({"plan", folder / "d.pddl", folder / "p.pddl"}).err);
 }
 
 TEST(Conflicts, AreListedSortedAndComplete) {
@@ -191,6 +267,44 @@ TEST_F(PlanCommand, PrintsAPlanThatValidateAccepts) {
       hagl({"validate", folder_ / "d.pddl", folder_ / "p.pddl", folder_ / "plan.txt"});
   EXPECT_EQ(valid.status, 0) << valid.out;
   EXPECT_NE(valid.out.find("valid, 3 steps, cost 8"), std::string::npos) << valid.out;
+}
+
+TEST_F(PlanCommand, SeveralCostsAddUp) {
+  folder_.write("d.pddl",
+                pddl::samples::with(pddl::samples::kTeaDomain, "(increase (total-cost) 5)",
+                                    "(increase (total-cost) 5) (increase (total-cost) "
+                                    "(way table shelf)) (increase (total-cost) 1)"));
+  folder_.write("p.pddl", pddl::samples::kTeaProblem);
+  const Ended ended = hagl(plan({"--optimal"}));
+  EXPECT_NE(ended.out.find("cost 13"), std::string::npos) << ended.out << ended.err;
+  folder_.write("plan.txt", ended.out);
+  EXPECT_EQ(hagl({"validate", folder_ / "d.pddl", folder_ / "p.pddl", folder_ / "plan.txt"}).out,
+            "valid, 3 steps, cost 13\n");
+}
+
+TEST_F(PlanCommand, ValidateReadsAPlanFromAPipeInAnyForm) {
+  const std::string printed =
+      "ff: found legal plan as follows\r\n\r\nstep    0: MOVE POT SHELF TABLE\r\n"
+      "        1: HEAT POT\r\n        2: POUR POT MUG\r\n\r\ntime spent:    0.00 seconds in "
+      "all\r\n";
+  const std::vector<std::string> validate = {"validate", folder_ / "d.pddl", folder_ / "p.pddl",
+                                             "/dev/stdin"};
+  for (const std::string& text :
+       {printed, std::string("move(pot, shelf, table)\nheat(pot)\npour(pot,mug)\n"),
+        std::string(
+            "0.000: (move pot shelf table) [1.000]\n1.0: (heat pot) [1]\n2: (pour pot mug)")}) {
+    const Ended ended = hagl(validate, text);
+    EXPECT_EQ(ended.out, "valid, 3 steps, cost 8\n") << text << ended.err;
+  }
+  std::vector<std::string> in_json = validate;
+  in_json.emplace_back("--json");
+  EXPECT_EQ(hagl(in_json, printed).json(), (json{{"outcome", "valid"}, {"steps", 3}, {"cost", 8}}));
+  const Ended invalid = hagl(in_json, "heat(pot)\n");
+  EXPECT_EQ(invalid.status, 2);
+  EXPECT_EQ(invalid.json().at("outcome"), "invalid");
+  EXPECT_EQ(invalid.json().at("code"), 71);
+  EXPECT_NE(invalid.json().at("message").get<std::string>().find("(at Pot Table)"),
+            std::string::npos);
 }
 
 TEST_F(PlanCommand, AnUnsolvableTaskExitsWithOne) {

@@ -50,9 +50,10 @@ TEST(DomainParser, ReadsAnAction) {
   EXPECT_TRUE(move.precondition[2].literal.negated);
   ASSERT_EQ(move.effect.size(), 2U);
   EXPECT_TRUE(move.effect[0].negated);
-  ASSERT_TRUE(move.cost && move.cost->function);
-  EXPECT_EQ(move.cost->function->terms.size(), 2U);
-  EXPECT_EQ(domain.actions.at(0).cost->constant, 5);
+  ASSERT_EQ(move.costs.size(), 1U);
+  ASSERT_TRUE(move.costs[0].function);
+  EXPECT_EQ(move.costs[0].function->terms.size(), 2U);
+  EXPECT_EQ(domain.actions.at(0).costs.at(0).constant, 5);
 }
 
 TEST(DomainParser, ABareDomainIsEnough) {
@@ -104,9 +105,42 @@ TEST(DomainParser, AcceptsEveryRequirementFlag) {
 }
 
 TEST(DomainParser, WholeNumbersMayHaveAPoint) {
-  EXPECT_EQ(action(":effect (increase (total-cost) 5.0)").cost->constant, 5);
-  EXPECT_EQ(action(":effect (increase (total-cost) 0)").cost->constant, 0);
-  EXPECT_EQ(action(":effect (increase (total-cost) 1000000000)").cost->constant, 1000000000);
+  const auto cost = [](const std::string& number) {
+    return action(":effect (increase (total-cost) " + number + ")").costs.at(0).constant;
+  };
+  EXPECT_EQ(cost("5.0"), 5);
+  EXPECT_EQ(cost("0"), 0);
+  EXPECT_EQ(cost("1000000000"), 1000000000);
+}
+
+TEST(DomainParser, AnActionMayHaveSeveralCosts) {
+  const auto costly = action(
+      ":effect (and (increase (total-cost) 3) (p) (and (increase (total-cost) (f))) "
+      "(increase (total-cost) 4))");
+  ASSERT_EQ(costly.costs.size(), 3U);
+  EXPECT_EQ(costly.costs[1].function->predicate.spelling, "f");
+  EXPECT_EQ(costly.costs[2].constant, 4);
+}
+
+TEST(DomainParser, FunctionsWithoutArgumentsMayStandBare) {
+  const auto bare = action(":effect (and (increase total-cost 3) (increase (Total-Cost) way))");
+  ASSERT_EQ(bare.costs.size(), 2U);
+  EXPECT_EQ(bare.costs[0].constant, 3);
+  EXPECT_EQ(bare.costs[1].function->predicate.spelling, "way");
+  EXPECT_TRUE(bare.costs[1].function->terms.empty());
+}
+
+TEST(DomainParser, ADashMayBeGluedToItsType) {
+  const ast::Domain domain = parse(
+      "(define (domain d) (:types cup -thing box) (:constants a b -cup c -(either cup box))"
+      "(:predicates (in ?x -cup\t?y\r\n-box)) (:functions (f ?x -box) -number))");
+  ASSERT_EQ(domain.types.size(), 2U);
+  EXPECT_EQ(domain.types[0].type->spelling, "thing");
+  EXPECT_EQ(domain.types[0].type->position.column, 33);
+  ASSERT_EQ(domain.constants.size(), 3U);
+  EXPECT_EQ(domain.constants[0].type->spelling, "cup");
+  EXPECT_EQ(domain.constants[2].type->either.size(), 2U);
+  EXPECT_EQ(domain.predicates.at(0).parameters.at(1).type->spelling, "box");
 }
 
 struct Broken {
@@ -139,12 +173,16 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{kStart + "foo)", "d.pddl:2:1: expected '(' or ')', found 'foo'"},
         Broken{kStart + "(:types a)",
                "d.pddl:2:11: expected '(' or ')', found the end of the text; "
-               "the '(' at 1:1 is still open"},
+               "the '(define' at 1:1 is still open"},
         Broken{kStart + "(:types a",
                "d.pddl:2:10: expected a type, '-' or ')', found the end of "
-               "the text; the '(' at 2:1 is still open"},
-        Broken{kStart + "))", "d.pddl:2:2: expected the end of the text, found ')'"},
-        Broken{kStart + ") (define", "d.pddl:2:3: expected the end of the text, found '('"},
+               "the text; the '(:types' at 2:1 is still open"},
+        Broken{kStart + "))",
+               "d.pddl:2:2: expected the end of the text, found ')'; the ')' at 2:1 closes the "
+               "'(define' at 1:1, and there may be one ')' too many"},
+        Broken{kStart + ") (define",
+               "d.pddl:2:3: expected the end of the text, found '('; the ')' at 2:1 closes the "
+               "'(define' at 1:1, and there may be one ')' too many"},
         Broken{kStart + "(:predicate (p)))",
                "d.pddl:2:2: expected a section of a domain, such as ':action', found ':predicate'; "
                "did you mean ':predicates'?"},
@@ -152,7 +190,8 @@ INSTANTIATE_TEST_SUITE_P(
                "d.pddl:2:13: ':Types' stands here a second time; the first is at 2:2"},
         Broken{kStart + "(:types - a))", "d.pddl:2:9: expected a type or ')', found '-'"},
         Broken{kStart + "(:types a - ))", "d.pddl:2:13: expected a type, found ')'"},
-        Broken{kStart + "(:types a -b))", "d.pddl:2:11: expected a type, '-' or ')', found '-b'"},
+        Broken{kStart + "(:types -b))", "d.pddl:2:9: expected a type or ')', found '-b'"},
+        Broken{kStart + "(:types a --b))", "d.pddl:2:12: expected a type, found '-b'"},
         Broken{kStart + "(:constants ?a))", "d.pddl:2:13: expected an object or ')', found '?a'"},
         Broken{kStart + "(:predicates p))", "d.pddl:2:14: expected '(' or ')', found 'p'"},
         Broken{kStart + "(:predicates (p x)))",
@@ -163,6 +202,39 @@ INSTANTIATE_TEST_SUITE_P(
                "d.pddl:2:15: expected a predicate's name, found 'and', which PDDL reserves"},
         Broken{kStart + "(:predicates (= ?x ?y)))",
                "d.pddl:2:15: expected a predicate's name, found '='"}));
+
+/// One bracket too few or too many shows where the text goes on as if there were none.
+INSTANTIATE_TEST_SUITE_P(
+    Brackets, BrokenDomain,
+    testing::Values(
+        Broken{
+            kStart + "(:predicates (p)\n(:action a))",
+            "d.pddl:3:2: expected a predicate's name, found ':action'; the '(:predicates' at 2:1 "
+            "is still open"},
+        Broken{kStart + "(:types a\n(:predicates (p)))",
+               "d.pddl:3:1: expected a type, '-' or ')', found '('; the '(:types' at 2:1 is still "
+               "open"},
+        Broken{kStart + "(:action a :parameters (?x\n:effect (p)))",
+               "d.pddl:3:1: expected a parameter such as '?x', '-' or ')', found ':effect'; the "
+               "'(?x' at "
+               "2:24 is still open"},
+        Broken{kStart + "(:Action a :effect (and (p) (q))\n(:action b))",
+               "d.pddl:3:1: expected ':parameters', ':precondition', ':effect' or ')', found '('; "
+               "the '(:Action a' at 2:1 is still open"},
+        Broken{kStart + "(:action a :effect (and (p) (not (q)\n(:action b))",
+               "d.pddl:3:1: expected ')', found '('; the '(not' at 2:29 is still open"},
+        Broken{kStart + "(:action a :precondition (and (p)))\n:effect (q)))",
+               "d.pddl:3:1: expected '(' or ')', found ':effect'; the ')' at 2:35 closes the "
+               "'(:action a' at 2:1, and there may be one ')' too many"},
+        Broken{kStart + "(:action a :precondition (and (p))) ; done\n(q))",
+               "d.pddl:3:2: expected a section of a domain, such as ':action', found 'q'; the ')' "
+               "at 2:35 closes the '(:action a' at 2:1, and there may be one ')' too many"},
+        Broken{kStart + "(:action a :precondition (and (p)) (q) :effect (p)))",
+               "d.pddl:2:36: expected ':parameters', ':precondition', ':effect' or ')', found '('; "
+               "the ')' at 2:34 closes the '(and' at 2:26, and there may be one ')' too many"},
+        Broken{kStart + "(:types a)) (:action b))",
+               "d.pddl:2:13: expected the end of the text, found '('; the ')' at 2:11 closes the "
+               "'(define' at 1:1, and there may be one ')' too many"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Actions, BrokenDomain,
@@ -183,23 +255,23 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{kStart + "(:action a :precondition (and p)))",
                "d.pddl:2:31: expected '(' or ')', found 'p'"},
         Broken{kStart + "(:action a :precondition (and (p ?x) :effect (q)))",
-               "d.pddl:2:38: expected '(' or ')', found ':effect'"},
+               "d.pddl:2:38: expected '(' or ')', found ':effect'; the '(and' at 2:26 is still "
+               "open"},
         Broken{kStart + "(:action a :precondition (p (q))))",
-               "d.pddl:2:29: expected a parameter, an object or ')', found '('"},
+               "d.pddl:2:29: expected a parameter, an object or ')', found '('; the '(p' at 2:26 "
+               "is still open"},
         Broken{kStart + "(:action a :precondition ((p))))",
                "d.pddl:2:27: expected a predicate, 'and', 'not' or ')', found '('"},
         Broken{kStart + "(:action a :precondition (not p)))",
                "d.pddl:2:31: expected a formula's '(', found 'p'"},
         Broken{kStart + "(:action a :precondition (not (p) (q))))",
-               "d.pddl:2:35: expected ')', found '('"},
+               "d.pddl:2:35: expected ')', found '('; the '(not' at 2:26 is still open"},
         Broken{kStart + "(:action a :precondition (= ?x)))",
                "d.pddl:2:27: expected two terms after '=', found 1"},
         Broken{kStart + "(:action a :precondition (increase (total-cost) 1)))",
                "d.pddl:2:27: expected a predicate, found 'increase'"},
         Broken{kStart + "(:action a :effect (= ?x ?y)))",
                "d.pddl:2:21: expected a predicate, 'and', 'not', 'increase' or ')', found '='"},
-        Broken{kStart + "(:action a :effect (increase total-cost 1)))",
-               "d.pddl:2:30: expected '(total-cost)', found 'total-cost'"},
         Broken{kStart + "(:action a :effect (increase (total-cost) -1)))",
                "d.pddl:2:43: expected a non-negative whole number, found '-1'"},
         Broken{kStart + "(:action a :effect (increase (total-cost) 1x)))",

@@ -63,14 +63,38 @@ TEST(Lexer, AnEmptyTextEndsAtOnceAndForEver) {
   EXPECT_EQ(lexer.next().kind, Token::Kind::End);
 }
 
+TEST(Lexer, LettersBeyondAsciiAreLetters) {
+  EXPECT_EQ(tokens("küche?größe"), (Tokens{"küche@1:1", "?größe@1:7", "<end>@1:15"}))
+      << "a column is a byte";
+  EXPECT_EQ(tokens("(お茶 в)"), (Tokens{"(@1:1", "お茶@1:2", "в@1:9", ")@1:11", "<end>@1:12"}));
+  EXPECT_EQ(tokens("a\u0308 l·l m²"), (Tokens{"a\u0308@1:1", "l·l@1:5", "m²@1:10", "<end>@1:13"}));
+}
+
+std::string error(const std::string& text) {
+  return samples::errorOf<SyntaxError>([&] { tokens(text); });
+}
+
+TEST(Lexer, WhatOnlyLooksLikePddlIsNamed) {
+  EXPECT_EQ(error("rex – robot"), "t:1:5: expected PDDL text, found U+2013, a dash other than '-'");
+  EXPECT_EQ(error("rex\u00a0robot"),
+            "t:1:4: expected PDDL text, found U+00a0, a blank other than ' '");
+  EXPECT_EQ(error("“rex”"), "t:1:1: expected PDDL text, found U+201c, a quotation mark");
+  EXPECT_EQ(error("\n\u200bx"), "t:2:1: expected PDDL text, found U+200b, a blank other than ' '");
+}
+
 TEST(Lexer, NamesTheByteThatNoPddlHolds) {
-  const auto error = [](const std::string& text) {
-    return samples::errorOf<SyntaxError>([&] { tokens(text); });
-  };
   EXPECT_EQ(error("(a\n \0)"s), "t:2:2: expected PDDL text, found the byte 0x00");
   EXPECT_EQ(error("; \0"s), "t:1:3: expected PDDL text, found the byte 0x00");
-  EXPECT_EQ(error("\xFF\xFE("), "t:1:1: expected PDDL text, found the byte 0xff");
-  EXPECT_EQ(error("caf\xC3\xA9"), "t:1:4: expected PDDL text, found the byte 0xc3");
+  EXPECT_EQ(error("\xFF\xFE("),
+            "t:1:1: expected PDDL text, found the byte 0xff; the text is UTF-16, and UTF-8 "
+            "is read");
+  EXPECT_EQ(error("caf\xE9"),
+            "t:1:4: expected PDDL text, found the byte 0xe9, which is no UTF-8; "
+            "in Latin-1 it is 'é'");
+  EXPECT_EQ(error("caf\xC3"),
+            "t:1:4: expected PDDL text, found the byte 0xc3, which is no UTF-8; "
+            "in Latin-1 it is 'Ã'");
+  EXPECT_EQ(error("a\x81"), "t:1:2: expected PDDL text, found the byte 0x81, which is no UTF-8");
   EXPECT_EQ(error("a\x7f"), "t:1:2: expected PDDL text, found the byte 0x7f");
 }
 

@@ -38,7 +38,7 @@ TEST(Link, ResolvesTheTeaTask) {
   ASSERT_EQ(model.schemas.size(), 3U);
   EXPECT_EQ(model.schemas[2].equalities.size(), 1U);
   EXPECT_TRUE(model.schemas[2].equalities[0].negated);
-  EXPECT_TRUE(model.schemas[2].function_cost);
+  EXPECT_EQ(model.schemas[2].function_costs.size(), 1U);
   EXPECT_EQ(model.schemas[0].constant_cost, 5);
   EXPECT_FALSE(model.schemas[0].precondition[0].atom.terms[1].is_parameter);
   EXPECT_EQ(model.schemas[0].name.name, "heat");
@@ -74,7 +74,128 @@ TEST(Link, AParentTypeNeedsNoDeclarationOfItsOwn) {
   ASSERT_EQ(model.types.size(), 3U);
   EXPECT_TRUE(model.isSubtype(model.objects[0].type, 2));
   EXPECT_EQ(model.types[2].name.name, "vehicle");
-  EXPECT_EQ(model.types[2].parent, kObjectType);
+  EXPECT_FALSE(model.isSubtype(2, 1));
+}
+
+TEST(Link, ATypeMayHaveSeveralParents) {
+  const std::string domain =
+      "(:types tray - movable tray - surface cup - movable shelf - surface) "
+      "(:predicates (on ?m - movable ?s - surface)) "
+      "(:action put :parameters (?m - movable ?s - surface) :effect (on ?m ?s)) "
+      "(:action stack :parameters (?m - movable ?s - movable) :precondition (on ?m ?s) "
+      ":effect (not (on ?m ?s)))";
+  const Model model =
+      linked(domain, "(:objects t - tray c - cup s - shelf) (:init (on c t) (on t s))");
+  EXPECT_EQ(model.init.size(), 2U);
+  const TypeId tray = model.objects[0].type;
+  const TypeId cup = model.objects[1].type;
+  const TypeId shelf = model.objects[2].type;
+  EXPECT_TRUE(model.isSubtype(tray, model.predicates[0].parameter_types[0]));
+  EXPECT_TRUE(model.isSubtype(tray, model.predicates[0].parameter_types[1]));
+  EXPECT_TRUE(
+      model.overlap(model.predicates[0].parameter_types[0], model.predicates[0].parameter_types[1]))
+      << "trays are both";
+  EXPECT_FALSE(model.overlap(cup, shelf));
+  EXPECT_EQ(
+      linkError("(define (domain d) " + domain + ")",
+                "(define (problem p) (:domain d)\n(:objects c - cup) (:init (on c c)) (:goal ()))"),
+      "p.pddl:2:33: 'c' is of type 'cup', but 'on' takes 'surface' there");
+}
+
+TEST(Link, APreconditionMayMakeAParameterOneOfSeveralTypes) {
+  const std::string types =
+      "(:types tray - movable tray - surface) (:predicates (clear ?s - surface) (held ?m - "
+      "movable))";
+  const std::string take = "(:action take :parameters (?m - movable) ";
+  EXPECT_EQ(
+      domainFault(types + take + ":precondition (clear ?m) :effect (and (held ?m) (clear ?m)))"),
+      "no error");
+  EXPECT_EQ(domainFault(types + take + ":effect (clear ?m))"),
+            "d.pddl:2:150: '?m' is of type 'movable', but 'clear' takes 'surface' there in action "
+            "'take', and no precondition makes it one");
+}
+
+TEST(Link, SeveralParentsMayMeetAgain) {
+  // Twenty diamonds: a walk over every way up would take a million steps.
+  std::string types;
+  for (int i = 0; i < 20; ++i) {
+    const std::string n = std::to_string(i);
+    const std::string above = std::to_string(i + 1);
+    types +=
+        "a" + n + " - l" + n + " a" + n + " - r" + n + " l" + n + " r" + n + " - a" + above + " ";
+  }
+  const Model model = linked("(:types " + types + ") (:predicates (p ?x - a20))",
+                             "(:objects x - a0) (:init (p x))");
+  EXPECT_EQ(model.init.size(), 1U);
+}
+
+TEST(Link, ATypeBelowItselfIsJustAType) {
+  // The line of the parent alone ends without a type, so that the next one's counts for it, too.
+  const Model model =
+      linked("(:types\r\n shape\r\n square Shape - SHAPE\r\n)", "(:objects s - square)");
+  ASSERT_EQ(model.types.size(), 3U);
+  EXPECT_EQ(model.types[1].name.name, "shape");
+  EXPECT_TRUE(model.isSubtype(2, 1));
+  EXPECT_FALSE(model.isSubtype(1, 2));
+}
+
+TEST(Link, CostsOfAnActionAddUp) {
+  const Model model = linked(
+      "(:functions (total-cost) (way ?x) (noise)) (:action go :parameters (?x) :effect (and "
+      "(increase (total-cost) 2) (increase (total-cost) (way ?x)) (increase (total-cost) (noise)) "
+      "(increase (total-cost) 5)))",
+      "");
+  EXPECT_EQ(model.schemas[0].constant_cost, 7);
+  EXPECT_EQ(model.schemas[0].function_costs.size(), 2U);
+}
+
+TEST(Link, NamesMatchWithoutCaseInAsciiOnly) {
+  const Model model = linked("(:predicates (liegt-in ?x ?y))",
+                             "(:objects KüCHE büro Ü ü) (:init (Liegt-In küche büro))");
+  EXPECT_EQ(model.objects.size(), 4U);
+  EXPECT_EQ(model.name(model.init[0]).text(), "(liegt-in küche büro)");
+  EXPECT_EQ(model.spelling(model.name(model.init[0])), "(liegt-in KüCHE büro)");
+}
+
+TEST(Link, TheDomainsFaultsComeFirst) {
+  const std::string problem =
+      "(define (problem p) (:domain d) (:objects rex - robot) (:init) (:goal ()))";
+  EXPECT_EQ(linkError("(define (domain d)\n(:predicates (in ?r - robot)))", problem),
+            "d.pddl:2:23: unknown type 'robot'; the domain declares no types");
+  EXPECT_EQ(
+      linkError("(define (domain d) (:types room)\n(:action a :parameters (?r - robot)))", problem),
+      "d.pddl:2:30: unknown type 'robot'");
+  EXPECT_EQ(linkError("(define (domain d) (:types room) (:predicates (p ?x))\n(:action a "
+                      ":precondition (exists (?x - robots) (p ?x))))",
+                      problem),
+            "d.pddl:2:40: unknown type 'robots'");
+  EXPECT_EQ(linkError("(define (domain d) (:types room))", problem),
+            "p.pddl:1:49: unknown type 'robot'")
+      << "no fault of the domain";
+}
+
+TEST(Link, ADomainMayNameTheProblemsObjects) {
+  const std::string domain =
+      "(define (domain d) (:types t) (:predicates (p ?x - t)) (:action a :effect (p k)))";
+  EXPECT_NO_THROW(checkDomain(parseDomain({"d.pddl", domain})));
+  EXPECT_EQ(linkError(domain, "(define (problem p) (:domain d) (:objects k - t) (:goal (p k)))"),
+            "no error");
+  EXPECT_EQ(linkError(domain, "(define (problem p) (:domain d) (:goal ()))"),
+            "d.pddl:1:78: unknown object 'k'");
+}
+
+TEST(Link, FilesThatHaveChangedPlacesAreNamed) {
+  const std::string wrong =
+      "d.pddl:1:10: expected 'domain', found 'problem': the two files are the wrong way round; "
+      "p.pddl defines the domain";
+  const Source first{"d.pddl", kTeaProblem};
+  const Source second{"p.pddl", "; the kitchen's\r\n(DEFINE\t(Domain tea))"};
+  EXPECT_EQ(samples::errorOf<SyntaxError>([&] { readModel(first, second); }), wrong);
+  EXPECT_EQ(faults(first, second), std::vector<std::string>{wrong});
+  EXPECT_EQ(samples::errorOf<SyntaxError>([&] {
+              readModel(first, {"p.pddl", kTeaProblem});
+            }),
+            "d.pddl:1:10: expected 'domain', found 'problem'");
 }
 
 TEST(Link, SubtypesAreTransitive) {
@@ -145,18 +266,23 @@ TEST_P(DomainFault, IsNamedWithItsPosition) {
 
 INSTANTIATE_TEST_SUITE_P(
     Declarations, DomainFault,
-    testing::Values(Fault{"(:types a - a)", "9: type 'a' is its own ancestor"},
-                    Fault{"(:types a - b b - c c - a x - a)", "9: type 'a' is its own ancestor"},
-                    Fault{"(:types a - b a - c)", "15: type 'a' has two parents, 'b' and 'c'"},
-                    Fault{"(:types object - thing)",
-                          "9: 'object' is above all types and has no parent"},
-                    Fault{"(:types place) (:constants c - plaec)",
-                          "32: unknown type 'plaec'; did you mean 'place'?"},
-                    Fault{"(:predicates (p ?x - t))", "22: unknown type 't'"},
-                    Fault{"(:predicates (p) (P ?x))", "19: predicate 'P' is declared twice"},
-                    Fault{"(:functions (f) (f ?x))", "18: function 'f' is declared twice"},
-                    Fault{"(:constants c C)", "15: object 'C' is declared twice"},
-                    Fault{"(:action a) (:action A)", "22: action 'A' is declared twice"}));
+    testing::Values(
+        Fault{"(:types a - b b - c c - a x - a)",
+              "9: type 'a' is its own ancestor: 'a' at 2:9 stands below 'b', 'b' at "
+              "2:15 stands below 'c', 'c' at 2:21 stands below 'a' (a '-' counts for "
+              "all names before it that have no type yet)"},
+        Fault{"(:types x - y y - a y - b b - y)",
+              "15: type 'y' is its own ancestor: 'y' at 2:15 stands below 'b', 'b' at "
+              "2:27 stands below 'y' (a '-' counts for all names before it that have no "
+              "type yet)"},
+        Fault{"(:types object - thing)", "9: 'object' is above all types and has no parent"},
+        Fault{"(:types place) (:constants c - plaec)",
+              "32: unknown type 'plaec'; did you mean 'place'?"},
+        Fault{"(:predicates (p ?x - t))", "22: unknown type 't'; the domain declares no types"},
+        Fault{"(:predicates (p) (P ?x))", "19: predicate 'P' is declared twice"},
+        Fault{"(:functions (f) (f ?x))", "18: function 'f' is declared twice"},
+        Fault{"(:constants c C)", "15: object 'C' is declared twice"},
+        Fault{"(:action a) (:action A)", "22: action 'A' is declared twice"}));
 
 const std::string kTypes = "(:types box ball) (:predicates (in ?x - box) (q))";
 

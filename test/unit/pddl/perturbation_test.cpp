@@ -62,6 +62,29 @@ TEST(Perturbation, TakesOutAsManyAsItIsTold) {
   }
 }
 
+TEST(Perturbation, WhatIsLeftIsADomain) {
+  // One of the two must stay for ?x to be of the type that the effect needs.
+  const std::string narrow =
+      "(define (domain d) (:types t) (:predicates (q ?x - t) (r ?x - t) (p))\n (:action a "
+      ":parameters "
+      "(?x) :precondition (and (q ?x) (p) (r ?x)) :effect (and (q ?x) (not (r ?x)))))";
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const std::string left = forget(narrow, 2, 1, seed).text;
+    EXPECT_NO_THROW(checkDomain(parseDomain({"h.pddl", left}))) << left;
+  }
+  EXPECT_EQ(samples::errorOf<std::invalid_argument>([&] { forget(narrow, 3, 0); }),
+            "d.pddl: can't forget 3 preconditions, 2 is the most that leaves a domain");
+}
+
+TEST(Perturbation, ReadsWhatPlanningReads) {
+  const std::string untyped =
+      "(define (domain d)\n (:predicates (p ?x - t))\n (:action a :precondition (p k)))";
+  EXPECT_EQ(samples::errorOf<SemanticError>([&] { forget(untyped, 1, 0); }),
+            "d.pddl:2:23: unknown type 't'; the domain declares no types");
+  // The problem may declare what the domain names.
+  EXPECT_EQ(forget(domainWith(":precondition (q some-object)"), 1, 0).forgotten.size(), 1U);
+}
+
 TEST(Perturbation, NothingForgottenIsTheSameText) {
   EXPECT_EQ(forget(kAdlDomain, 0, 0).text, kAdlDomain);
 }

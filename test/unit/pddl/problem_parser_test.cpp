@@ -58,6 +58,16 @@ TEST(ProblemParser, APredicateMayBeCalledAt) {
   EXPECT_EQ(problem.goal.at(0).literal.atom.terms.size(), 2U);
 }
 
+TEST(ProblemParser, FunctionsWithoutArgumentsMayStandBare) {
+  const ast::Problem problem = parse(
+      "(define (problem p) (:domain d) (:init (= total-cost 0) (= way 7)) (:goal (a)) "
+      "(:metric minimize Total-Cost))");
+  ASSERT_EQ(problem.init_values.size(), 2U);
+  EXPECT_EQ(problem.init_values[1].function.predicate.spelling, "way");
+  EXPECT_EQ(problem.init_values[1].value, 7);
+  EXPECT_TRUE(problem.minimises_total_cost);
+}
+
 struct Broken {
   std::string text;
   std::string message;
@@ -83,8 +93,22 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{kStart + "(:init (a)))", "p.pddl:2:12: expected (:goal …), found ')'"},
         Broken{kStart + "(:goal (g)",
                "p.pddl:2:11: expected ')', found the end of the text; the "
-               "'(' at 2:1 is still open"},
-        Broken{kStart + "(:goal (g) (h)))", "p.pddl:2:12: expected ')', found '('"},
+               "'(:goal' at 2:1 is still open"},
+        Broken{kStart + "(:goal (g) (h)))",
+               "p.pddl:2:12: expected ')', found '('; the '(:goal' at 2:1 is still open"},
+        Broken{
+            kStart + "(:goal (and (g)) (h)))",
+            "p.pddl:2:18: expected ')', found '('; the ')' at 2:16 closes the '(and' at 2:8, and "
+            "there may be one ')' too many"},
+        Broken{kStart + "(:init (a) (b)\n(:goal (g)))",
+               "p.pddl:3:2: expected a predicate, 'not' or '=', found ':goal'; the '(:init' at 2:1 "
+               "is still open"},
+        Broken{kStart + "(:init (a)) (b))\n(:goal (g)))",
+               "p.pddl:2:14: expected a section of a problem, such as ':init', found 'b'; the ')' "
+               "at 2:11 closes the '(:init' at 2:1, and there may be one ')' too many"},
+        Broken{kStart + "(:init (a)))\n(:goal (g)))",
+               "p.pddl:2:12: expected (:goal …), found ')'; the ')' at 2:12 closes the '(define' "
+               "at 1:1, and there may be one ')' too many"},
         Broken{kStart + "(:goal g))", "p.pddl:2:8: expected '(', found 'g'"},
         Broken{kStart + "(:goal (g ?x)))", "p.pddl:2:11: expected an object or ')', found '?x'"},
         Broken{kStart + "(:objcts a))",
@@ -98,12 +122,11 @@ INSTANTIATE_TEST_SUITE_P(
                "p.pddl:2:17: expected a non-negative whole number, found '-1'"},
         Broken{kStart + "(:init (= (f a))))",
                "p.pddl:2:16: expected a non-negative whole number, found ')'"},
-        Broken{kStart + "(:init (= a b)))", "p.pddl:2:11: expected a function's '(', found 'a'"},
+        Broken{kStart + "(:init (= ?f 1)))", "p.pddl:2:11: expected a function's '(', found '?f'"},
         Broken{kStart + "(:metric total-cost))",
                "p.pddl:2:10: expected 'minimize', found "
                "'total-cost'"},
-        Broken{kStart + "(:metric minimize total-cost))",
-               "p.pddl:2:19: expected '(total-cost)', found 'total-cost'"},
+        Broken{kStart + "(:metric minimize))", "p.pddl:2:18: expected '(total-cost)', found ')'"},
         Broken{kStart + "(:init) (:goal ()) (:init))",
                "p.pddl:2:21: ':init' stands here a second time; the first is at 2:2"}));
 

@@ -68,8 +68,21 @@ INSTANTIATE_TEST_SUITE_P(
                 "arithmetic in an action cost" + kInEffect, "3:33"},
         Refused{":effect (increase (total-cost) (total-cost))",
                 "'total-cost' as an action cost" + kInEffect, "3:33"},
-        Refused{":effect (and (increase (total-cost) 1) (increase (total-cost) 1))",
-                "a second cost of one action" + kInEffect, "3:41"}));
+        Refused{":effect (increase (total-cost) total-cost)",
+                "'total-cost' as an action cost" + kInEffect, "3:32"},
+        Refused{":effect (increase fuel 1)", "'increase' of 'fuel' (a numeric fluent)" + kInEffect,
+                "3:19"}));
+
+const std::string kInAction = ", at action 'go'";
+
+INSTANTIATE_TEST_SUITE_P(
+    Keywords, RefusedInAction,
+    testing::Values(Refused{":Observe (p)", "':observe' (sensing)" + kInAction, "3:1"},
+                    Refused{":parameters (?x) :duration (= ?duration 3)",
+                            "':duration' (a durative action)" + kInAction, "3:18"},
+                    Refused{":expansion (series)",
+                            "':expansion' (hierarchical planning)" + kInAction, "3:1"},
+                    Refused{":agent ?a", "':agent' (several agents)" + kInAction, "3:1"}));
 
 TEST(RefusedInAction, WhatGrowsWithItsNestingIsBounded) {
   std::string effect = "(p)";
@@ -79,6 +92,13 @@ TEST(RefusedInAction, WhatGrowsWithItsNestingIsBounded) {
                                                    effect + "))"),
             "d.pddl:1:141: not supported yet: 'forall' and 'when' nested deeper than 10, at the "
             "effect of action 'go'");
+  std::string costs;
+  for (int i = 0; i < 101; ++i)
+    costs += "(increase (total-cost) 1)";
+  EXPECT_EQ(samples::domainError<UnsupportedError>("(define (domain d) (:action go :effect (and " +
+                                                   costs + ")))"),
+            "d.pddl:1:2546: not supported yet: more than 100 costs of one action, at the effect of "
+            "action 'go'");
   std::string types = "either";
   for (int i = 0; i < 101; ++i)
     types += " t";
@@ -96,16 +116,23 @@ TEST_P(RefusedInDomain, IsNamedWithItsPlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Sections, RefusedInDomain,
-    testing::Values(Refused{"(:durative-action a)", "':durative-action', at domain 'd'", "2:2"},
-                    Refused{"(:derived (p) (q))", "':derived', at domain 'd'", "2:2"},
-                    Refused{"(:Axiom a)", "':axiom', at domain 'd'", "2:2"},
-                    Refused{"(:constraints (and))", "':constraints', at domain 'd'", "2:2"},
-                    Refused{"(:process a)", "':process', at domain 'd'", "2:2"},
-                    Refused{"(:event a)", "':event', at domain 'd'", "2:2"},
-                    Refused{"(:types a - (either b c))",
-                            "'either' (a union of types) as a parent, at :types", "2:14"},
-                    Refused{"(:functions (loc ?x) - place)",
-                            "a function to 'place' (an object fluent), at :functions", "2:24"}));
+    testing::Values(
+        Refused{"(:durative-action a)", "':durative-action', at domain 'd'", "2:2"},
+        Refused{"(:derived (p) (q))", "':derived', at domain 'd'", "2:2"},
+        Refused{"(:Axiom a)", "':axiom', at domain 'd'", "2:2"},
+        Refused{"(:constraints (and))", "':constraints', at domain 'd'", "2:2"},
+        Refused{"(:process a)", "':process', at domain 'd'", "2:2"},
+        Refused{"(:event a)", "':event', at domain 'd'", "2:2"},
+        Refused{"(:task t :parameters ())", "':task' (hierarchical planning), at domain 'd'",
+                "2:2"},
+        Refused{"(:METHOD m)", "':method' (hierarchical planning), at domain 'd'", "2:2"},
+        Refused{"( ; calls\n:modules m)", "':modules' (calls to modules), at domain 'd'", "3:1"},
+        Refused{"(:stream s :inputs (?x))", "':stream' (PDDLStream), at domain 'd'", "2:2"},
+        Refused{"(:sensor s)", "':sensor' (sensing), at domain 'd'", "2:2"},
+        Refused{"(:types a - (either b c))", "'either' (a union of types) as a parent, at :types",
+                "2:14"},
+        Refused{"(:functions (loc ?x) - place)",
+                "a function to 'place' (an object fluent), at :functions", "2:24"}));
 
 class RefusedInProblem : public testing::TestWithParam<Refused> {};
 
@@ -128,6 +155,13 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"(:init (oneof (p) (q)))", "'oneof' (a nondeterministic effect), at :init", "2:9"},
         Refused{"(:metric maximize (total-cost))", "'maximize', at :metric", "2:10"},
         Refused{"(:metric minimize (total-time))", "minimising 'total-time', at :metric", "2:20"},
+        Refused{"(:metric minimize total-time)", "minimising 'total-time', at :metric", "2:19"},
+        Refused{"(:METRIC MINIMIZE\r\n\tTotal-Time)", "minimising 'Total-Time', at :metric", "3:2"},
+        Refused{"(:metric maximize total-time)", "'maximize', at :metric", "2:10"},
+        Refused{"(:init (= a b))", "a function to an object (an object fluent), at :init", "2:9"},
+        Refused{"(:htn :ordered-subtasks (t))", "':htn' (hierarchical planning), at problem 'p'",
+                "2:2"},
+        Refused{"(:belief (p))", "':belief' (sensing), at problem 'p'", "2:2"},
         Refused{"(:metric minimize (+ (total-cost) 1))", "minimising '+', at :metric", "2:20"},
         Refused{"(:constraints (and))", "':constraints', at problem 'p'", "2:2"},
         Refused{"(:length (:serial 5))", "':length', at problem 'p'", "2:2"}));

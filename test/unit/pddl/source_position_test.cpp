@@ -2,11 +2,13 @@
 #include "goal_alignment/pddl/source_position.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 
 #include "unit/pddl/samples.h"
 
@@ -49,6 +51,29 @@ TEST_F(ReadFile, NamesThePathAndTheReason) {
   EXPECT_EQ(error(folder_.string()), folder_.string() + ": can't be read: it is a directory");
   EXPECT_EQ(error("/dev/null"), "/dev/null: can't be read: it is no regular file");
   EXPECT_EQ(error(""), ": can't be read: no such file");
+}
+
+TEST_F(ReadFile, APipeIsReadToItsEndWhereThatIsWanted) {
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  EXPECT_EQ(error(path("pipe")), path("pipe") + ": can't be read: it is no regular file");
+  const std::string text(300'000, 'x');  // more than a pipe holds
+  std::thread writer([&] { std::ofstream(path("pipe")) << text; });
+  const Source source = readFileOrPipe(path("pipe"));
+  writer.join();
+  EXPECT_EQ(source.name, path("pipe"));
+  EXPECT_EQ(source.text, text);
+  EXPECT_EQ(readFileOrPipe("/dev/null").text, "");
+}
+
+TEST_F(ReadFile, WhatIsNoPipeIsReadLikeAFile) {
+  const auto refused = [](const std::string& path) {
+    return samples::errorOf<InputError>([&] { readFileOrPipe(path); });
+  };
+  std::ofstream(path("plan")) << "(go a)";
+  EXPECT_EQ(readFileOrPipe(path("plan")).text, "(go a)");
+  EXPECT_EQ(refused(path("none")), path("none") + ": can't be read: no such file");
+  EXPECT_EQ(refused(folder_.string()), folder_.string() + ": can't be read: it is a directory");
+  EXPECT_EQ(refused("/dev/zero"), "/dev/zero: can't be read: more than 64 MiB come out of it");
 }
 
 TEST_F(ReadFile, RefusesWhatIsTooLarge) {

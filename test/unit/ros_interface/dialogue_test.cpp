@@ -146,6 +146,18 @@ TEST(TaskFile, holdsATask) {
   EXPECT_TRUE(taskOfYaml("person: Ann", "t.yaml").plan.empty());
 }
 
+TEST(TaskFile, readsStepsAsPlansHaveThem) {
+  const HumanTask task = taskOfYaml(
+      "plan:\n  - stack a b\n  - \"stack(a, b)\"\n  - '0: STACK A B'\n  - \"0.0: (stack a b) "
+      "[1]\"\n",
+      "t.yaml");
+  ASSERT_EQ(task.plan.size(), 4U);
+  for (const PlanStep& step : task.plan) {
+    EXPECT_EQ(step.name, "stack");
+    EXPECT_EQ(step.args, (std::vector<std::string>{"a", "b"}));
+  }
+}
+
 TEST(TaskFile, faultsNameTheFile) {
   const auto fault = [](const std::string& text) -> std::string {
     try {
@@ -161,6 +173,10 @@ TEST(TaskFile, faultsNameTheFile) {
             "t.yaml:1:1: expected a map with task_id, person, goal and plan, found a list");
   EXPECT_EQ(fault("goal: (a)"), "t.yaml:1:7: expected a list, found '(a)'");
   EXPECT_EQ(fault("goal:\n  - (a)\n  - \"((\"").find("t.yaml:3:5: "), 0U);
+  EXPECT_EQ(
+      fault("plan:\n  - (a\n"),
+      "t.yaml:2:5: '(a':1:3: expected an object or ')', found the end of the text; the '(a' at "
+      "1:1 is still open");
   EXPECT_EQ(fault("plan: {a: b}"), "t.yaml:1:7: expected a list, found a map");
   EXPECT_EQ(fault("paln: [(a)]"), "t.yaml:1:1: expected task_id, person, goal, plan, found 'paln'");
   EXPECT_EQ(fault("person: [Ann]"), "t.yaml:1:9: expected person, found a list");

@@ -35,7 +35,8 @@ TEST(MessageConversion, literalsComeBackAsTheyWere) {
 }
 
 TEST(MessageConversion, whatIsNoNameIsRefusedWithItsField) {
-  for (const char* name : {"", " ", "a b", "(on", "on)", "a;b", "caf\xc3\xa9", "a\n"}) {
+  for (const char* name :
+       {"", " ", "a b", "(on", "on)", "a;b", "caf\xe9", "a\n", "a–b", "a\u00a0b"}) {
     EXPECT_THROW(toLiteral(fluent(name, {})), std::invalid_argument) << name;
     EXPECT_THROW(toLiteral(fluent("on", {name})), std::invalid_argument) << name;
   }
@@ -45,6 +46,10 @@ TEST(MessageConversion, whatIsNoNameIsRefusedWithItsField) {
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "task.goal[1]: argument 0 of 'on' is empty");
   }
+}
+
+TEST(MessageConversion, namesMayHaveLettersBeyondAscii) {
+  EXPECT_EQ(toLiteral(fluent("Liegt-In", {"Küche", "お茶"})).text(), "(liegt-in küche お茶)");
 }
 
 TEST(MessageConversion, planStepsBecomeActions) {
