@@ -28,7 +28,7 @@ constexpr std::uint64_t kLeastStates = 500;
 SearchBudget scaled(SearchBudget budget, std::uint64_t operators) {
   if (operators <= kOperators) return budget;
   for (std::uint64_t* states : {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy,
-                                &budget.shrinking, &budget.parts})
+                                &budget.shrinking, &budget.parts, &budget.minimising})
     *states = std::min(*states, std::max(*states * kOperators / operators, kLeastStates));
   return budget;
 }
@@ -81,7 +81,7 @@ void Achievability::addConflict(const std::vector<std::size_t>& candidates) {
     conflict.members.set(candidate);
   // Stages 1 and 2 add the empty conflict, then single candidates, then pairs: what is not dropped
   // as a superset of an earlier one is minimal as far as these stages see. A pair could still hide
-  // an unachievable single candidate; findAllConflicts() settles that.
+  // an unachievable single candidate; minimise() and findAllConflicts() settle that.
   conflict.minimal = candidates.empty();
   conflicts_.add(conflict);
 }
@@ -209,7 +209,7 @@ Check Achievability::check(const CandidateSet& set, const Limits& limits) {
 /// The way from searches to sweeps and back.
 Check Achievability::search(const CandidateSet& set, const Limits& limits) {
   Check last;
-  if (!swept_) {
+  if (!swept_ || sweepPaysAgain(limits)) {
     if (const auto found = searchGreedily(set, limits.withStates(budget_.first_greedy), last)) {
       return *found;
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <map>
-#include <unordered_map>
 #include <utility>
 
 #include "goal_alignment/achievability/achievability.h"
@@ -9,6 +8,7 @@
 #include "goal_alignment/search/exhaustive.h"
 #include "goal_alignment/search/greedy.h"
 #include "partial_search.h"
+#include "seen_sets.h"
 #include "subset_map.h"
 
 /// The part of Achievability that proves: the exhaustive search (stage 3), the way from an
@@ -20,12 +20,19 @@ using task::FactSet;
 
 namespace {
 
+/// So many times the time of a sweep that did not come to its end make another one worthwhile.
+constexpr int kMuchMore = 4;
+
 /// More conflicts than can be looked at one by one.
 constexpr std::size_t kMostConflicts = 10'000;
 
 /// Whether our own budgets ended it, rather than a person or the clock.
 bool isBudget(LimitReason reason) {
   return reason == LimitReason::States || reason == LimitReason::Memory;
+}
+
+Limits::Clock::duration halfTimeLeft(const Limits& limits) {
+  return (limits.deadline - Limits::Clock::now()) / 2;
 }
 
 /// Leaves out of the set what it can do without: `holds` says so of the rest. Large pieces first,
@@ -50,15 +57,28 @@ CandidateSet shrunk(CandidateSet set, Holds&& holds) {
 }  // namespace
 
 /// Stage 3: all reachable states, after which every check is answered without a search. None: that
-/// worked out.
+/// worked out. It may take half of the time that is left.
 LimitReason Achievability::sweep(const Limits& limits) {
-  sweep_limit_ = sweepSymbolically(budget_.first_symbolic, limits);
-  if (isBudget(sweep_limit_)) sweep_limit_ = exhaust(limits);
-  if (isBudget(sweep_limit_)) sweep_limit_ = sweepSymbolically(budget_.symbolic, limits);
-  // What a person or the clock broke off must end now, and may be tried anew; states and bytes
+  const Limits::Clock::duration share = halfTimeLeft(limits);
+  Limits own = limits;
+  own.deadline = Limits::Clock::now() + share;
+  sweep_worthwhile_ = Limits::Clock::duration::max();
+  sweep_limit_ = sweepSymbolically(budget_.first_symbolic, own);
+  if (isBudget(sweep_limit_)) sweep_limit_ = exhaust(own);
+  if (isBudget(sweep_limit_)) sweep_limit_ = sweepSymbolically(budget_.symbolic, own);
+  if (sweep_limit_ == LimitReason::Time && limits.interruption() == LimitReason::None) {
+    sweep_worthwhile_ = kMuchMore * share;
+    sweep_limit_ = LimitReason::States;
+  }
+  // What a person or the clock broke off must end now, and may be tried anew; our own budgets
   // would end it again.
   swept_ = sweep_limit_ != LimitReason::Cancelled && sweep_limit_ != LimitReason::Time;
   return sweep_limit_;
+}
+
+/// Whether the time ended a sweep and there is much more of it now.
+bool Achievability::sweepPaysAgain(const Limits& limits) const {
+  return halfTimeLeft(limits) >= sweep_worthwhile_;
 }
 
 /// The reachable states as a decision diagram. It may hold half of the memory.
@@ -94,26 +114,23 @@ Check Achievability::checkReachable(const CandidateSet& set, const Limits& limit
 LimitReason Achievability::exhaust(const Limits& limits) {
   ++planner_calls_;
   search::Exhaustive exhaustive(*task_);
-  std::unordered_map<CandidateSet, search::StateId> first_seen;
-  std::vector<std::pair<CandidateSet, search::StateId>> maximal;
+  SeenSets seen(facts_.size());
+  bool memory_left = true;
   const auto visit = [&](search::StateId id, const task::Word* state) {
+    memory_left = exhaustive.bytes() + seen.bytes() <= limits.bytes;
     const bool satisfies_goal = task::satisfies(state, specified_);
-    if (!satisfies_goal && reached_.all()) return true;
-    CandidateSet now = satisfied(state);
+    if (!satisfies_goal && reached_.all()) return memory_left;
+    const CandidateSet now = satisfied(state);
     reached_ |= now;
-    if (!satisfies_goal || !first_seen.emplace(now, id).second) return true;
-    const auto covers = [&](const auto& entry) { return now.is_subset_of(entry.first); };
-    if (std::any_of(maximal.begin(), maximal.end(), covers)) return true;
-    const auto covered = [&](const auto& entry) { return entry.first.is_subset_of(now); };
-    maximal.erase(std::remove_if(maximal.begin(), maximal.end(), covered), maximal.end());
-    maximal.emplace_back(std::move(now), id);
-    return true;
+    if (satisfies_goal) seen.add(now, id);
+    return memory_left;
   };
-  const LimitReason reason = exhaustive.run(limits.withStates(budget_.exhaustive), visit);
+  LimitReason reason = exhaustive.run(limits.withStates(budget_.exhaustive), visit);
+  if (!memory_left) reason = LimitReason::Memory;
   if (reason == LimitReason::Cancelled || reason == LimitReason::Time) return reason;
   std::vector<AchievedSets::Achieved> achieved;
-  achieved.reserve(maximal.size());
-  for (const auto& [set, id] : maximal) {
+  achieved.reserve(seen.maximal().size());
+  for (const auto& [set, id] : seen.maximal()) {
     achieved.push_back({set, exhaustive.plan(id)});
     conflicts_.clearSuspectedWithin(set);
     if (set.all()) complete_ = true;
@@ -124,34 +141,69 @@ LimitReason Achievability::exhaust(const Limits& limits) {
   return reason;
 }
 
-/// Whether a set is proven unachievable, by memory or by a search of the first budget.
-bool Achievability::provenUnachievable(const CandidateSet& set, const Limits& limits) {
+/// Whether a set is proven unachievable, by memory or by a search. That takes from the states.
+bool Achievability::provenUnachievable(const CandidateSet& set, std::uint64_t& states,
+                                       const Limits& limits) {
   if (conflicts_.provenWithin(set) != nullptr) return true;
   if (achieved_.covering(set) != nullptr) return false;
   if (exhaustive_complete_) return true;
   if (knowsReachable()) return !symbolic_->reachable(goalWith(set));
+  if (states == 0) return false;
   ++planner_calls_;
-  const search::Result result =
-      search::greedy(*task_, goalWith(set), limits.withStates(budget_.first_greedy));
+  const search::Result result = search::greedy(*task_, goalWith(set), limits.withStates(states));
+  states -= std::min(states, result.statistics.generated);
   if (result.status == search::Status::Solved) recordPlan(result.plan);
   return result.status == search::Status::Unsolvable;
 }
 
-/// Shrinks a set proven unachievable to a conflict and adds it. Minimal only where plans show it:
-/// what is left in may just not have been proven superfluous.
-void Achievability::addUnachievable(const CandidateSet& set, const Limits& limits) {
-  Conflict conflict;
-  conflict.members = shrunk(set - always_true_, [&](const CandidateSet& smaller) {
-    return provenUnachievable(smaller, limits);
+/// Adds a conflict that could do without none of its members as far as could be proven. Minimal
+/// only where plans show it: what is left in may just not have been proven superfluous.
+void Achievability::learnTested(const CandidateSet& conflict, const Limits& limits) {
+  if (limits.interruption() == LimitReason::None) tested_.insert(conflict);
+  const std::vector<std::size_t> all = members(conflict);
+  const bool minimal = std::all_of(all.begin(), all.end(), [&](std::size_t candidate) {
+    CandidateSet without = conflict;
+    return knowsReachable() || achieved_.covering(without.reset(candidate)) != nullptr;
   });
-  conflict.minimal = true;
-  for (const std::size_t candidate : members(conflict.members)) {
-    CandidateSet without = conflict.members;
-    without.reset(candidate);
-    conflict.minimal =
-        conflict.minimal && (knowsReachable() || achieved_.covering(without) != nullptr);
+  learn({conflict, true, minimal});
+}
+
+/// Shrinks a set proven unachievable to a conflict and adds it.
+void Achievability::addUnachievable(const CandidateSet& set, const Limits& limits) {
+  learnTested(shrunk(set - always_true_,
+                     [&](const CandidateSet& smaller) {
+                       std::uint64_t states = budget_.first_greedy;
+                       return provenUnachievable(smaller, states, limits);
+                     }),
+              limits);
+}
+
+/// Tests a proven conflict without each of its members, by searching the first time, later by what
+/// is known. True: a smaller one has taken its place.
+bool Achievability::minimise(const CandidateSet& conflict, const Limits& limits) {
+  if (complete_) return false;
+  const std::vector<std::size_t> all = members(conflict);
+  std::uint64_t left = tested_.count(conflict) == 0 ? budget_.minimising : 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    CandidateSet without = conflict;
+    const std::uint64_t share = left / (all.size() - i);
+    std::uint64_t unused = share;
+    if (provenUnachievable(without.reset(all[i]), unused, limits)) {
+      addUnachievable(without, limits);
+      return true;
+    }
+    left -= share - unused;
   }
-  learn(conflict);
+  learnTested(conflict, limits);
+  return false;
+}
+
+const Conflict* Achievability::smallConflictWithin(CandidateSet set, const Limits& limits) {
+  while (const Conflict* conflict = conflicts_.provenWithin(set)) {
+    set = conflict->members;
+    if (!minimise(set, limits)) return conflicts_.provenWithin(set);
+  }
+  return nullptr;
 }
 
 void Achievability::suspect(const CandidateSet& set) {
@@ -272,6 +324,7 @@ bool Achievability::explore(const Limits& limits) {
     if (result.verdict == Verdict::Achievable) together = kBatch;
     if (result.verdict == Verdict::Unknown && !isBudget(result.limit)) return false;
   }
+  if (!complete_) last_limit_ = LimitReason::States;
   return complete_;
 }
 

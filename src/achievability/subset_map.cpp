@@ -12,6 +12,9 @@ namespace {
 constexpr int kSatisfiable = 10;
 constexpr int kUnsatisfiable = 20;
 
+/// A clause in the solver: its header, two watches, what points to it, and room to grow.
+constexpr std::size_t kBytesPerClause = 96;
+
 /// Ends the solver when the limits do. A call of the solver takes longer than a look at the clock.
 class LimitTerminator : public CaDiCaL::Terminator {
  public:
@@ -97,13 +100,19 @@ SubsetMap::SubsetMap(std::size_t candidates)
 SubsetMap::SubsetMap(SubsetMap&&) noexcept = default;
 SubsetMap::~SubsetMap() = default;
 
+void SubsetMap::add(const std::vector<int>& clause) {
+  solver_->add(clause);
+  bytes_ += kBytesPerClause + clause.size() * sizeof(int);
+}
+
 void SubsetMap::blockUp(const CandidateSet& conflict) {
-  solver_->add(literals(conflict, -1));
+  add(literals(conflict, -1));
   blocked_up_.push_back(conflict);
+  bytes_ += sizeof(CandidateSet) + conflict.num_blocks() * sizeof(CandidateSet::block_type);
 }
 
 void SubsetMap::blockDown(const CandidateSet& achieved) {
-  solver_->add(literals(~achieved, 1));
+  add(literals(~achieved, 1));
 }
 
 /// Adds what can be added without a conflict; blocks below can't be in the way of a larger set.
@@ -130,16 +139,18 @@ SubsetMap::Unexplored SubsetMap::maximal(std::size_t most, const Limits& limits)
   // The sets found by this call exclude each other as long as this variable is assumed.
   const int different = solver_->newVariable();
   while (found.sets.size() < most) {
+    if (bytes_ > limits.bytes) found.limit = LimitReason::Memory;
+    if (bytes_ > limits.bytes) break;
     const Solver::Status status = solver_->solve(different, terminator);
     if (status == Solver::Status::Terminated) found.limit = terminator.reason();
     if (status != Solver::Status::Satisfiable) break;
     CandidateSet set = grown(solver_->model());
     std::vector<int> clause = literals(~set, 1);
     clause.push_back(-different);
-    solver_->add(clause);
+    add(clause);
     found.sets.push_back(std::move(set));
   }
-  solver_->add({-different});
+  add({-different});
   return found;
 }
 

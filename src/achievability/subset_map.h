@@ -37,16 +37,21 @@ class SubsetMap {
   };
 
   /// Up to `most` unexplored sets of which every proper superset is explored. They stay unexplored.
-  /// One call of a SAT solver each: NP-hard, quick in practice. Reads the clock and the cancel
-  /// token of the limits, not the states.
+  /// One call of a SAT solver each: NP-hard, quick in practice. Reads the clock, the cancel token
+  /// and the bytes of the limits, not the states.
   Unexplored maximal(std::size_t most, const Limits& limits);
+
+  /// What the blocks take, about. What the solver learns from them it keeps small by itself.
+  std::size_t bytes() const { return bytes_; }
 
  private:
   class Solver;
 
   CandidateSet grown(CandidateSet set) const;
+  void add(const std::vector<int>& clause);
 
   std::size_t candidates_;
+  std::size_t bytes_ = 0;
   std::vector<CandidateSet> blocked_up_;
   std::unique_ptr<Solver> solver_;
 };

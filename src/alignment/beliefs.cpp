@@ -87,7 +87,7 @@ class HumanCosts {
         threads_(options.threads),
         prefix_costs_(prefixCosts(problem, options.unit_costs)),
         prefixes_(cheapestPrefixes(problem, prefix_costs_, limits)),
-        human_(grounding::ground(problem.human, problem.specified, {options.unit_costs}, limits)),
+        human_(grounding::ground(problem.human, literals(problem), {options.unit_costs}, limits)),
         task_(human_.task, heuristics::groupsFromInvariants(human_.task, limits)),
         search_limits_(limits) {
     goal_ = human_.goal(problem.specified);

@@ -100,6 +100,13 @@ GoalNotExpected::GoalNotExpected(const std::vector<Literal>& missing, const std:
                           goalText(missing, condition) + " is not so"),
       missing_(missing) {}
 
+std::vector<Literal> literals(const Problem& problem) {
+  std::vector<Literal> result = problem.specified;
+  for (const Candidate& candidate : problem.candidates)
+    result.push_back(candidate.fluent);
+  return result;
+}
+
 Problem makeProblem(pddl::Model robot, pddl::Model human, const std::vector<Literal>& goal,
                     std::vector<GroundName> human_plan, const Limits& limits) {
   Problem problem;

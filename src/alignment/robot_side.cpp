@@ -15,9 +15,8 @@ RobotSide makeRobotSide(const Problem& problem, bool unit_costs,
   std::vector<Literal> fluents;
   for (const Candidate& candidate : problem.candidates)
     fluents.push_back(candidate.fluent);
-  std::vector<Literal> goals = problem.specified;
-  goals.insert(goals.end(), fluents.begin(), fluents.end());
-  grounding::GroundTask task = grounding::ground(problem.robot, goals, {unit_costs}, limits);
+  grounding::GroundTask task =
+      grounding::ground(problem.robot, literals(problem), {unit_costs}, limits);
 
   RobotSide side;
   side.achievability = std::make_unique<achievability::Achievability>(

@@ -111,7 +111,11 @@ Json toJson(const session::Session& session) {
   const bool names_conflict = outcome.code == OutcomeCode::GoalUnsolvable ||
                               outcome.code == OutcomeCode::ExpectationUnachievable ||
                               !outcome.conflict.empty();
-  if (names_conflict) json["conflict"] = texts(outcome.conflict);
+  if (names_conflict) {
+    json["conflict"] = texts(outcome.conflict);
+    json["conflict_proven"] = outcome.conflict_proven;
+    json["conflict_minimal"] = outcome.conflict_minimal;
+  }
   if (outcome.code == OutcomeCode::ExpectationUnachievable) {
     json["alternatives"] = alternativesOf(outcome);
   }

@@ -2,6 +2,7 @@
 #include "goal_alignment/grounding/grounder.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "fact_table.h"
@@ -95,10 +96,10 @@ class TaskBuilder {
       if (changes_[id]) {
         status.positive = {Kind::Variable, facts.fact(id)};
         const FactId complement = facts.complement(id);
-        if (complement != kNoFact) status.negative = {Kind::Variable, complement};
+        if (complement != kNoFact) status.negative = FactStatus{Kind::Variable, complement};
       } else {
         status.positive = {Kind::AlwaysTrue, 0};
-        status.negative = {Kind::NeverTrue, 0};
+        status.negative = FactStatus{Kind::NeverTrue, 0};
       }
       result_.statuses_.push_back(status);
     }
@@ -117,8 +118,12 @@ class TaskBuilder {
 FactStatus GroundTask::status(const Literal& literal) const {
   const auto atom = model_->resolve(literal.atom);
   const AtomId found = atom ? atoms_.find(*atom) : pddl::AtomTable::kNone;
-  if (found != pddl::AtomTable::kNone)
-    return literal.negated ? statuses_[found].negative : statuses_[found].positive;
+  if (found != pddl::AtomTable::kNone && !literal.negated) return statuses_[found].positive;
+  if (found != pddl::AtomTable::kNone) {
+    const auto& status = statuses_[found].negative;
+    if (!status) throw std::logic_error("grounded without asking for " + literal.text());
+    return *status;
+  }
   if (literal.negated) return {FactStatus::Kind::AlwaysTrue, 0};
   return {atom ? FactStatus::Kind::NeverTrue : FactStatus::Kind::Unknown, 0};
 }

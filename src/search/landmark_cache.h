@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <deque>
 #include <unordered_map>
-#include <utility>
 
 #include "goal_alignment/heuristics/landmarks.h"
 #include "goal_alignment/search/state_registry.h"
@@ -20,10 +21,16 @@ class LandmarkCache {
     return found == landmarks_.end() ? nullptr : &found->second;
   }
 
+  /// O(landmarks), and O(states in the cache) for one that is there already.
   void insert(StateId id, const heuristics::Landmarks& landmarks) {
-    const auto [entry, is_new] = landmarks_.insert_or_assign(id, landmarks);
-    if (is_new) order_.push_back(id);
-    bytes_ += entry->second.bytes();
+    const auto [entry, is_new] = landmarks_.try_emplace(id);
+    if (!is_new) {
+      bytes_ -= entry->second.bytes();
+      order_.erase(std::find(order_.begin(), order_.end(), id));
+    }
+    entry->second = landmarks;
+    order_.push_back(id);
+    bytes_ += landmarks.bytes();
     while (bytes_ > most_bytes_ && order_.size() > 1) {
       const auto oldest = landmarks_.find(order_.front());
       bytes_ -= oldest->second.bytes();

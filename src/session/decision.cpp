@@ -57,6 +57,7 @@ void Session::Implementation::decide() {
   if (concludeBlocked()) return;
   const auto choices = questions::nextGroup(*policy_, situation(), options_.max_group_size);
   if (!choices.empty()) {
+    if (minimiseReasons(choices)) return decide();
     ask(choices);
   } else if (options_.unsure_policy == UnsurePolicy::Defer &&
              dialogue_.reopenUnsure(dialogue_.with(Knowledge::Unsure))) {
@@ -65,6 +66,28 @@ void Session::Implementation::decide() {
     throw LimitReached(LimitReason::States,
                        "every question is answered, and the rest of the search");
   }
+}
+
+/// Nobody is asked about a fluent for the company that it is in; true where that was so.
+bool Session::Implementation::minimiseReasons(const std::vector<questions::Choice>& choices) {
+  if (!policy_->usesConflicts()) return false;
+  std::vector<CandidateSet> reasons;
+  for (const questions::Choice& choice : choices) {
+    if (!choice.conflict) continue;
+    const Conflict& conflict = robot().conflicts()[*choice.conflict];
+    if (conflict.proven && !conflict.minimal) reasons.push_back(conflict.members);
+  }
+  bool any = false;
+  for (const CandidateSet& reason : reasons)
+    any = robot().smallConflictWithin(reason, limits())->members != reason || any;
+  return any;
+}
+
+/// Names the conflict that the outcome rests on.
+void Session::Implementation::blame(Outcome& outcome, const Conflict& conflict) const {
+  outcome.conflict = fluents(conflict.members);
+  outcome.conflict_proven = conflict.proven;
+  outcome.conflict_minimal = conflict.minimal;
 }
 
 bool Session::Implementation::concludeNoPlan() {
@@ -81,10 +104,12 @@ bool Session::Implementation::concludeNoPlan() {
   if (conflict == nullptr) return false;
   Outcome outcome;
   outcome.code = OutcomeCode::ExpectationUnachievable;
-  outcome.conflict = fluents(conflict->members);
+  // The way to the alternatives may bring to light that less than the conflict is one.
+  const CandidateSet within = conflict->members;
+  outcome.alternatives = alternatives();
+  blame(outcome, *robot().smallConflictWithin(within, limits()));
   outcome.message =
       "proven: no plan achieves what was asked for together with " + listed(outcome.conflict);
-  outcome.alternatives = alternatives();
   finish(std::move(outcome));
   return true;
 }
@@ -118,16 +143,22 @@ bool Session::Implementation::concludeBlocked() {
           dialogue_.reopenUnsure(conflict.members)) {
         return false;
       }
+      const Conflict* small =
+          conflict.proven ? robot().smallConflictWithin(conflict.members, limits()) : &conflict;
+      if (small->members != conflict.members) {
+        decide();
+        return true;
+      }
       Outcome outcome;
       outcome.code = OutcomeCode::UnsureBlocks;
-      outcome.conflict = fluents(conflict.members);
+      blame(outcome, *small);
       outcome.message = "what is wanted can't be had all together; it depends on " +
                         listed(fluents(conflict.members & unsure));
       finish(std::move(outcome));
     } else {
       Outcome outcome;
       outcome.code = outcomeOf(robot().lastLimit());
-      outcome.conflict = fluents(conflict.members);
+      blame(outcome, conflict);
       outcome.message =
           "I could not find out within the limits whether all this can be had together: " +
           listed(outcome.conflict);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "implementation.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +13,7 @@
 namespace goal_alignment::session {
 
 using achievability::Check;
+using achievability::Conflict;
 using achievability::Verdict;
 
 namespace {
@@ -19,6 +22,9 @@ namespace {
 /// it is not cheap its bound from π^H will do; Algorithm 1 asks for the optimal cost.
 constexpr std::uint64_t kBeliefStates = 2'000;
 constexpr std::uint64_t kPaperBeliefStates = 100'000;
+
+/// This share of the time limit is not spent on finding all conflicts.
+constexpr double kShareOfDialogue = 0.5;
 
 /// A dialogue that does not wait for all conflicts does not wait long for proofs, either.
 constexpr std::uint64_t kLazySteps = 5'000'000;
@@ -83,18 +89,20 @@ void Session::Implementation::begin(Input input) {
   belief_calls_ = 0;
   budget_from_ = 0;
   asked_before_ = 0;
+  conflicts_ended_.clear();
   phase_ = Phase::Read;
   state_ = State::Analysing;
 }
 
-Limits Session::Implementation::limits() const {
+/// What is left of the limits but for so many seconds, which are kept for what comes later.
+Limits Session::Implementation::limits(double seconds_kept) const {
   Limits result;
   result.bytes = accountable(options_.memory_limit);
   result.cancel = &cancel_;
   if (options_.time_limit < std::numeric_limits<double>::infinity()) {
     const std::chrono::duration<double> running = Limits::Clock::now() - step_began_;
-    result = result.withSeconds(options_.time_limit - (statistics_.total - budget_from_) -
-                                running.count());
+    result = result.withSeconds(options_.time_limit - seconds_kept -
+                                (statistics_.total - budget_from_) - running.count());
   }
   return result;
 }
@@ -190,6 +198,7 @@ void Session::Implementation::ground() {
   if (options_.conflicts == ConflictMode::Lazy) budget.symbolic = kLazySteps;
   robot_side_ = alignment::makeRobotSide(*problem_, unit_costs_, budget, limits());
   policy_ = questions::makePolicy(options_.policy, policySetting());
+  conflicts_ended_.clear();
   phase_ = Phase::Check;
 }
 
@@ -206,7 +215,11 @@ void Session::Implementation::checkWhole() {
   }
   const Check specified = robot().check(none, limits());
   if (specified.verdict == Verdict::Unachievable) {
-    finish(OutcomeCode::GoalUnsolvable, "no plan can achieve what was asked for: " + askedFor());
+    Outcome outcome;
+    outcome.code = OutcomeCode::GoalUnsolvable;
+    outcome.message = "no plan can achieve what was asked for: " + askedFor();
+    blame(outcome, *robot().provenConflictWithin(none));
+    finish(std::move(outcome));
   } else if (specified.verdict == Verdict::Unknown) {
     finish(outcomeOf(specified.limit),
            "the limits did not suffice to find out whether the specified goal can be achieved");
@@ -236,9 +249,18 @@ std::vector<double> Session::Implementation::costDifferences(alignment::CostOpti
   return std::move(differences.values);
 }
 
+/// Where a limit ends this, the dialogue goes on inside the conflicts known.
 void Session::Implementation::findConflicts() {
-  robot().findAllConflicts(limits());
   phase_ = Phase::Decide;
+  const Limits own = limits(kShareOfDialogue * options_.time_limit);
+  if (robot().findAllConflicts(own) || own.interruption() == LimitReason::Cancelled) return;
+  const auto& known = robot().conflicts();
+  const auto proven = std::count_if(known.begin(), known.end(),
+                                    [](const Conflict& conflict) { return conflict.proven; });
+  const auto suspected = static_cast<std::ptrdiff_t>(known.size()) - proven;
+  conflicts_ended_ = std::string("finding all conflicts stopped: ") +
+                     toString(robot().lastLimit()) + " (" + std::to_string(proven) + " proven, " +
+                     std::to_string(suspected) + " suspected)";
 }
 
 questions::Setting Session::Implementation::policySetting() {
@@ -366,6 +388,7 @@ void Session::Implementation::finish(Outcome outcome) {
   // A cancel is used up by the outcome it brings about: the session can go on after it.
   if (outcome.code == OutcomeCode::Canceled) cancel_.reset();
   outcome_ = std::move(outcome);
+  if (!conflicts_ended_.empty()) outcome_.message += "; " + conflicts_ended_;
   dialogue_.withdraw();
   question_.reset();
   state_ = State::Done;

@@ -60,7 +60,7 @@ class Session::Implementation {
   void findConflicts();
   questions::Setting policySetting();
   std::vector<bool> unachievableAlone();
-  Limits limits() const;
+  Limits limits(double seconds_kept = 0) const;
   Limits cancelOnly() const;
   double& stopwatch(Phase phase);
   Phase nextPhase() const;
@@ -75,6 +75,8 @@ class Session::Implementation {
   bool concludePlan();
   bool concludeBlocked();
   bool anyLive() const;
+  bool minimiseReasons(const std::vector<questions::Choice>& choices);
+  void blame(Outcome& outcome, const achievability::Conflict& conflict) const;
   bool openQuestionMatters() const;
   questions::Situation situation() const;
 
@@ -120,6 +122,7 @@ class Session::Implementation {
   std::optional<QuestionView> question_;
   Outcome outcome_;
   Statistics statistics_;
+  std::string conflicts_ended_;          // why not all conflicts were found first, and which were
   std::size_t earlier_robot_calls_ = 0;  // made before the robot's state changed
   std::size_t belief_calls_ = 0;
   double budget_from_ = 0;        // thinking time used up when the last outcome was reached

@@ -55,7 +55,7 @@ Consequence Session::Implementation::whatIf(const std::vector<Literal>& wanted,
   const Check least = robot().check(must, own);
   if (least.verdict == Verdict::Unachievable) {
     result.kind = Consequence::Kind::NoPlan;
-    result.conflict = fluents(robot().provenConflictWithin(must)->members);
+    result.conflict = fluents(robot().smallConflictWithin(must, own)->members);
     return result;
   }
   const Check whole = robot().check(~setOf(then.knowledge, Knowledge::NotWanted), own);

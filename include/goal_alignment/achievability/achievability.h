@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include "goal_alignment/achievability/achieved_sets.h"
@@ -49,7 +50,8 @@ struct SearchBudget {
   std::uint64_t shrinking = 5'000;  ///< each time something is left out of a set that stayed open
   std::uint64_t parts =
       100'000;  ///< on parts of the task, to prove that a set so shrunk has no plan
-  std::uint64_t open_sets = 5'000;  ///< how many sets one findAllConflicts() looks at
+  std::uint64_t open_sets = 5'000;    ///< how many sets one findAllConflicts() looks at
+  std::uint64_t minimising = 20'000;  ///< to prove that a conflict has members too many, all in all
 };
 
 /// Remembers every set achieved and every conflict, so that what they imply needs no search.
@@ -103,7 +105,8 @@ class Achievability {
   /// All minimal conflicts are known, each proven; so at once where everything can be had.
   bool complete() const { return complete_; }
 
-  /// Why the last check() or reachableAlone() that ended Unknown did.
+  /// Why the last check() or reachableAlone() that ended Unknown did, or findAllConflicts() before
+  /// it came to its end.
   LimitReason lastLimit() const { return last_limit_; }
 
   /// Records that the limits left the set open.
@@ -114,6 +117,9 @@ class Achievability {
   const Conflict* provenConflictWithin(const CandidateSet& set) const {
     return conflicts_.provenWithin(set);
   }
+  /// The same without the members that it can do without, as far as a short search tells, and
+  /// called minimal where the search shows it. Other conflicts may have come and gone afterwards.
+  const Conflict* smallConflictWithin(CandidateSet set, const Limits& limits);
   const std::vector<AchievedSets::Achieved>& achieved() const { return achieved_.all(); }
 
   /// True in every state the robot can reach: settled without a word.
@@ -138,6 +144,7 @@ class Achievability {
   std::optional<Check> recall(const CandidateSet& set) const;
   std::optional<Check> searchGreedily(const CandidateSet& set, const Limits& limits, Check& last);
   LimitReason sweep(const Limits& limits);
+  bool sweepPaysAgain(const Limits& limits) const;
   LimitReason exhaust(const Limits& limits);
   LimitReason sweepSymbolically(std::uint64_t steps, const Limits& limits);
   bool knowsReachable() const { return symbolic_ != nullptr; }
@@ -152,7 +159,9 @@ class Achievability {
   std::optional<Verdict> recallAlone(std::size_t candidate) const;
   Verdict learnAlone(std::size_t candidate, const search::Result& result);
   void addUnachievable(const CandidateSet& set, const Limits& limits);
-  bool provenUnachievable(const CandidateSet& set, const Limits& limits);
+  bool provenUnachievable(const CandidateSet& set, std::uint64_t& states, const Limits& limits);
+  bool minimise(const CandidateSet& conflict, const Limits& limits);
+  void learnTested(const CandidateSet& conflict, const Limits& limits);
   SubsetMap& map();
   bool explore(const Limits& limits);
   bool checkTogether(const std::vector<CandidateSet>& sets, const Limits& limits);
@@ -166,10 +175,12 @@ class Achievability {
   CandidateSet never_true_;
   CandidateSet reached_;  // candidates seen true in some reachable state
   ConflictSet conflicts_;
+  std::unordered_set<CandidateSet> tested_;  // conflicts looked at without each of their members
   AchievedSets achieved_;
   std::unique_ptr<SubsetMap> map_;  // of the two; null until it is needed, and needed anew
   std::unique_ptr<search::Symbolic> symbolic_;  // all reachable states, if that worked out
   bool swept_ = false;                          // as far as the budget reaches
+  Limits::Clock::duration sweep_worthwhile_ = Limits::Clock::duration::max();  // once more
   bool exhaustive_complete_ = false;
   bool complete_ = false;
   LimitReason sweep_limit_ = LimitReason::None;

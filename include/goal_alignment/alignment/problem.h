@@ -61,6 +61,10 @@ struct Problem {
   std::vector<Candidate> candidates;   ///< sorted by fluent
 };
 
+/// The literals of G^H and all candidates. Who looks them up in a grounded model must have had it
+/// grounded with them: a negated one is a fact only where it was asked for.
+std::vector<Literal> literals(const Problem& problem);
+
 /// Puts the problem together: G^H is `goal`, or that of the problem files where it is empty, which
 /// then may have a condition that is no conjunction of literals: it is kept as one. S^H is where
 /// π^H leads in the human model. Throws GoalsDiffer, HumanPlanInvalid, GoalNotExpected and

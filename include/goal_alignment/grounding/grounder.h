@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "goal_alignment/common/ground_name.h"
@@ -50,8 +51,9 @@ class GroundTask {
  public:
   task::Task task;
 
-  /// What the literal is here. A negated literal is a Variable only where an operator or `literals`
-  /// of ground() named it; ask only for those. O(length of its name).
+  /// What the literal is here. Throws std::logic_error for a negated one that can change and that
+  /// neither an operator nor `literals` of ground() named: no fact stands for it. O(length of its
+  /// name).
   FactStatus status(const Literal& literal) const;
 
   /// The goal that these literals and the model's Model::goal_condition make together; without
@@ -63,7 +65,7 @@ class GroundTask {
 
   struct AtomStatus {
     FactStatus positive;
-    FactStatus negative;
+    std::optional<FactStatus> negative;  // nothing: it changes, and no fact says when it is so
   };
 
   const pddl::Model* model_ = nullptr;

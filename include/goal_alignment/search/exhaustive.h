@@ -23,6 +23,7 @@ class Exhaustive {
 
   task::Plan plan(StateId id) const { return space_.plan(id); }
   std::size_t size() const { return space_.size(); }
+  std::size_t bytes() const { return space_.bytes(); }
 
  private:
   const SearchTask& task_;

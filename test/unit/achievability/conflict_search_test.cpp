@@ -155,6 +155,31 @@ RC_GTEST_PROP(ConflictSearch, LazyChecksAgreeWithBruteForce, ()) {
   }
 }
 
+// The members of a pair that no state has may be out of reach one by one.
+RC_GTEST_PROP(ConflictSearch, ASmallConflictIsMinimalWhereTheBudgetsSuffice, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  RC_LOG() << samples::text(hagl);
+  const std::set<CandidateBits> minimal = hagl.minimalConflicts();
+  for (const bool plenty : {true, false}) {
+    SearchBudget budget;
+    if (!plenty) budget = {random.below(6), 1, 1, 1, random.below(6), 1, 1, 1};
+    if (!plenty) budget.minimising = random.below(40);
+    const auto robot = make(hagl, budget);
+    for (int i = 0; i < 10; ++i) {
+      const CandidateSet set = setOf(hagl.size(), random.below(hagl.all() + 1));
+      if (oracles::chance(random, 0.3)) robot->check(set, {});
+      const bool any = robot->provenConflictWithin(set) != nullptr;
+      const Conflict* small = robot->smallConflictWithin(set, {});
+      RC_ASSERT((small != nullptr) == any);
+      if (!any) continue;
+      RC_ASSERT(small->proven && small->members.is_subset_of(set));
+      if (plenty) RC_ASSERT(small->minimal && minimal.count(small->members.to_ulong()) > 0);
+      requireSound(hagl, *robot);
+    }
+  }
+}
+
 // A session goes on after a cancel, with everything it had learnt and nothing spoilt.
 RC_GTEST_PROP(ConflictSearch, GoesOnAfterACancel, ()) {
   RandomSource random = oracles::anySource();

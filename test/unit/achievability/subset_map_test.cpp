@@ -161,6 +161,21 @@ TEST(SubsetMap, EndsAtTheDeadline) {
   EXPECT_EQ(map.maximal(1, {}).sets.size(), 1U);
 }
 
+TEST(SubsetMap, EndsWhereItsBlocksTakeMoreThanTheLimit) {
+  constexpr std::size_t kCandidates = 500;
+  SubsetMap map(kCandidates);
+  for (std::size_t i = 0; i < kCandidates; ++i)
+    map.blockDown(CandidateSet(kCandidates).set(i));
+  EXPECT_GE(map.bytes(), kCandidates * (kCandidates - 1) * sizeof(int));
+  Limits limits;
+  limits.bytes = map.bytes() - 1;
+  const auto narrow = map.maximal(1, limits);
+  EXPECT_EQ(narrow.limit, LimitReason::Memory);
+  EXPECT_TRUE(narrow.sets.empty());
+  limits.bytes = 2 * map.bytes();
+  EXPECT_EQ(map.maximal(1, limits).sets.size(), 1U);
+}
+
 /// More pigeons than holes, in such a way that no set is unexplored: hard for any solver of this
 /// kind. Candidate p · holes + h: pigeon p sits in h.
 SubsetMap pigeons(std::size_t holes) {

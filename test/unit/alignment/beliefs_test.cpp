@@ -42,6 +42,30 @@ RC_GTEST_PROP(CostDifferences, EqualBruteForceOneByOne, ()) {
   RC_ASSERT(costDifferences(problemOf(hagl), {true, kPlenty, false, 3}, {}).values == found.values);
 }
 
+/// With the side effects that the robot may have among the candidates.
+Problem withSideEffects(Hagl& hagl) {
+  Problem problem = problemOf(hagl);
+  addNegativeCandidates(problem, {});
+  hagl.candidates.clear();
+  for (const Candidate& candidate : problem.candidates)
+    hagl.candidates.push_back(candidate.fluent);
+  return problem;
+}
+
+// The human's model is not the robot's: what the robot may do may be out of reach there, change
+// there or have no name there.
+RC_GTEST_PROP(CostDifferences, OfSideEffectsEqualBruteForceToo, ()) {
+  RandomSource random = oracles::anySource();
+  Hagl hagl = oracles::randomHagl(random);
+  const Problem problem = withSideEffects(hagl);
+  const CostDifferences found = costDifferences(problem, {true, kPlenty}, {});
+  RC_ASSERT(found.exact);
+  RC_ASSERT(found.values == hagl.costDifferences());
+  const CostDifferences bounds = costDifferences(problem, {true, random.below(10)}, {});
+  for (std::size_t f = 0; f < hagl.size(); ++f)
+    RC_ASSERT(bounds.values[f] >= 0 && bounds.values[f] <= found.values[f]);
+}
+
 RC_GTEST_PROP(CostDifferences, CountTheModelsCostsWhereWanted, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
@@ -77,6 +101,33 @@ TEST(CostDifferences, OfTheDeskAreWorkedOutByHand) {
   // (down a) (down c) (free) (held a) (held b) (red a); the plan costs 2.
   EXPECT_EQ(costDifferences(problem, {true, kPlenty}, {}).values,
             (std::vector<double>{2, 2, 2, 1, 1, 2}));
+}
+
+const char* const kLamps = R"((define (domain lamps)
+  (:predicates (lit) (read) (curtain-open) (neighbour-awake))
+  (:action switch-on :parameters () :effect (and (lit) (neighbour-awake)))
+  (:action open-curtain :parameters () :effect (curtain-open))
+  (:action draw-light :parameters () :precondition (curtain-open) :effect (lit))
+  (:action study :parameters () :precondition (lit) :effect (read))))";
+
+// Opening the curtain costs the person a step, and spares the neighbour: both explain the plan.
+TEST(CostDifferences, ASideEffectThatWasAvoidedExplainsThePlan) {
+  const auto lamps = [] {
+    return pddl::readModel(
+        {"d.pddl", kLamps},
+        {"p.pddl", "(define (problem dark) (:domain lamps) (:init) (:goal (read)))"});
+  };
+  Problem problem =
+      makeProblem(lamps(), lamps(), {}, {{"open-curtain", {}}, {"draw-light", {}}, {"study", {}}});
+  addNegativeCandidates(problem, {});
+  ASSERT_EQ(literals(problem).size(), 4U);
+  // (curtain-open) (lit) (not (neighbour-awake))
+  std::vector<Literal> fluents;
+  for (const Candidate& candidate : problem.candidates)
+    fluents.push_back(candidate.fluent);
+  const std::vector<double> values = costDifferences(problem, {true, kPlenty}, {}).values;
+  for (std::size_t f = 0; f < fluents.size(); ++f)
+    EXPECT_EQ(values[f], fluents[f].text() == "(lit)" ? 1 : 0) << fluents[f].text();
 }
 
 TEST(CostDifferences, StopWhenCancelled) {

@@ -74,6 +74,8 @@ TEST(Align, NoPlan) {
   EXPECT_EQ(found["outcome"], "no_plan");
   EXPECT_EQ(found["code"], 52);
   EXPECT_EQ(strings(found["conflict"]), (std::vector<std::string>{"(free)", "(held a)"}));
+  EXPECT_EQ(found["conflict_proven"], true);
+  EXPECT_EQ(found["conflict_minimal"], true);
   ASSERT_EQ(found["alternatives"].size(), 2U);
   EXPECT_EQ(keys(found["alternatives"][0]), (std::set<std::string>{"given_up", "probability"}));
   EXPECT_FALSE(found.contains("plan"));
@@ -93,6 +95,7 @@ TEST(Align, UnsolvableSpecifiedGoal) {
   EXPECT_EQ(ended.status, 1);
   EXPECT_EQ(ended.json()["code"], 51);
   EXPECT_EQ(ended.json()["conflict"], json::array());
+  EXPECT_EQ(ended.json()["conflict_proven"], true);
 }
 
 TEST(Align, InvalidInputIsJsonToo) {

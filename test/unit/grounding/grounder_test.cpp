@@ -238,6 +238,15 @@ TEST(Grounder, TellsWhatALiteralIs) {
   }
 }
 
+// No fact says whether r2 is in b, and no other answer would be right.
+TEST(Grounder, RefusesANegationThatItWasNotAskedFor) {
+  const pddl::Model model = rooms();
+  const GroundTask ground = grounding::ground(model, {negative("(in r2 a)")}, {}, {});
+  EXPECT_THROW(ground.status(negative("(in r2 b)")), std::logic_error);
+  EXPECT_THROW(ground.goal({negative("(in r2 a)"), negative("(in r2 b)")}), std::logic_error);
+  EXPECT_EQ(ground.goal({negative("(in r2 a)"), negative("(in r2 c)")}).alternatives.size(), 1U);
+}
+
 // `stay` deletes and adds the same atom: the add wins, so nothing changes.
 TEST(Grounder, LeavesOutOperatorsThatChangeNothing) {
   const pddl::Model model = rooms();

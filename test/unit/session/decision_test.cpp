@@ -64,7 +64,8 @@ void requireGoodPlan(const Hagl& hagl, const Session& session) {
 void requireGoodRefusal(const Hagl& hagl, const Session& session, bool conflicts_complete) {
   const Outcome& outcome = session.outcome();
   const CandidateBits conflict = hagl.bits(outcome.conflict);
-  RC_ASSERT(!hagl.achievable(conflict));
+  RC_ASSERT(hagl.minimalConflicts().count(conflict) > 0);
+  RC_ASSERT(outcome.conflict_proven && outcome.conflict_minimal);
   RC_ASSERT((conflict & ~hagl.bits(answered(session, AnswerKind::Yes))) == 0U);
   for (const Alternative& alternative : outcome.alternatives) {
     const CandidateBits given_up = hagl.bits(alternative.given_up);
@@ -75,7 +76,6 @@ void requireGoodRefusal(const Hagl& hagl, const Session& session, bool conflicts
     }
   }
   if (conflicts_complete) {
-    RC_ASSERT(hagl.minimalConflicts().count(conflict) > 0);
     RC_ASSERT(!outcome.alternatives.empty());
   }
 }
@@ -121,11 +121,8 @@ void requireLiveReasons(const Hagl& hagl, const Options& mode) {
     RC_ASSERT((conflict & hagl.bits({fluent})) != 0U);
     RC_ASSERT((conflict & no) == 0U);  // it is live
     RC_ASSERT(question.reasons.front().proven);
-    RC_ASSERT(!hagl.achievable(conflict));
-    if (mode.conflicts == ConflictMode::Full) {
-      RC_ASSERT(hagl.minimalConflicts().count(conflict) > 0);
-      RC_ASSERT(!question.bound_is_provisional);
-    }
+    RC_ASSERT(hagl.minimalConflicts().count(conflict) > 0);
+    if (mode.conflicts == ConflictMode::Full) RC_ASSERT(!question.bound_is_provisional);
     if (!hagl.wants(fluent)) no |= hagl.bits({fluent});
     session.answer({fluent}, honest(hagl)(fluent), "person");
   }
@@ -138,6 +135,39 @@ RC_GTEST_PROP(Decision, AsksOnlyInsideLiveConflicts, ()) {
   RC_LOG() << samples::text(hagl);
   for (const Options& mode : allModes(random.below(1000)))
     if (mode.policy != "paper" && mode.policy != "ask-all") requireLiveReasons(hagl, mode);
+}
+
+/// What the outcome says of its conflict is so.
+void requireHonestConflict(const Hagl& hagl, const Outcome& outcome) {
+  const bool has_one = !outcome.conflict.empty() || outcome.code == OutcomeCode::GoalUnsolvable;
+  if (!has_one) RC_ASSERT(!outcome.conflict_proven && !outcome.conflict_minimal);
+  const CandidateBits conflict = hagl.bits(outcome.conflict);
+  if (outcome.conflict_proven) RC_ASSERT(!hagl.achievable(conflict));
+  if (outcome.conflict_minimal) RC_ASSERT(hagl.minimalConflicts().count(conflict) > 0);
+  if (outcome.code == OutcomeCode::GoalUnsolvable ||
+      outcome.code == OutcomeCode::ExpectationUnachievable)
+    RC_ASSERT(outcome.conflict_proven);
+}
+
+// With "don't know" among the answers and memory that may not suffice for a proof.
+RC_GTEST_PROP(Decision, AConflictIsProvenAndMinimalWhereItSaysSo, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  RC_LOG() << samples::text(hagl);
+  const double unsure = oracles::chance(random, 0.5) ? 0 : 0.4;
+  for (Options mode : allModes(random.below(1000))) {
+    const bool plenty = oracles::chance(random, 0.5);
+    if (!plenty) mode.memory_limit = 10'000 + random.below(300'000);
+    Session session(mode);
+    session.begin(hagl.input);
+    talk(session, [&](const Literal& fluent) {
+      return oracles::chance(random, unsure) ? AnswerKind::Unsure : honest(hagl)(fluent);
+    });
+    RC_LOG() << mode.policy << ": " << session.outcome().message << "\n";
+    requireHonestConflict(hagl, session.outcome());
+    if (plenty && !session.outcome().conflict.empty())
+      RC_ASSERT(session.outcome().conflict_proven && session.outcome().conflict_minimal);
+  }
 }
 
 RC_GTEST_PROP(Decision, NeverAsksMoreThanItAnnounced, ()) {

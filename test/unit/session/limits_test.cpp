@@ -188,6 +188,29 @@ TEST(SessionLimits, TheTimeLimitEndsALongSearch) {
   EXPECT_EQ(code(session), 53);
 }
 
+/// The puzzle, of which the person believes besides that one tile is in two places: that can't be,
+/// which is known at once; what else can't be had together nobody finds out in time.
+Input tileInTwoPlaces() {
+  Input input = benchmarks::swappedTiles(4);
+  std::string& human = input.human_problem.text;
+  human.insert(human.find("(at t3 c3)"), "(at t3 c8) ");
+  return input;
+}
+
+TEST(SessionLimits, FindingAllConflictsLeavesTimeForQuestions) {
+  Options chosen;
+  chosen.time_limit = 4;
+  chosen.belief.mode = alignment::BeliefMode::Flat;
+  Session session(chosen);
+  session.begin(tileInTwoPlaces());
+  ASSERT_EQ(think(session), State::AwaitingAnswer) << session.outcome().message;
+  EXPECT_TRUE(session.question()->bound_is_provisional);
+  session.giveUpWaiting("nobody is there");
+  const std::string& message = session.outcome().message;
+  EXPECT_EQ(code(session), 60);
+  EXPECT_NE(message.find("finding all conflicts stopped: time"), std::string::npos) << message;
+}
+
 TEST(SessionLimits, TheMemoryLimitEndsALongSearch) {
   Options chosen = options("paper");
   chosen.memory_limit = 6'000'000;
