@@ -107,7 +107,7 @@ Json toJson(const session::Session& session) {
                               outcome.code == OutcomeCode::ExpectationUnachievable ||
                               !outcome.conflict.empty();
   if (names_conflict) json["conflict"] = texts(outcome.conflict);
-  if (outcome.code == OutcomeCode::ExpectationUnachievable) {
+  if (outcome.code == OutcomeCode::ExpectationUnachievable || !outcome.alternatives.empty()) {
     json["alternatives"] = alternativesOf(outcome);
   }
   const session::Statistics& statistics = session.statistics();
