@@ -116,7 +116,7 @@ Json toJson(const session::Session& session) {
     json["conflict_proven"] = outcome.conflict_proven;
     json["conflict_minimal"] = outcome.conflict_minimal;
   }
-  if (outcome.code == OutcomeCode::ExpectationUnachievable) {
+  if (outcome.code == OutcomeCode::ExpectationUnachievable || !outcome.alternatives.empty()) {
     json["alternatives"] = alternativesOf(outcome);
   }
   const session::Statistics& statistics = session.statistics();

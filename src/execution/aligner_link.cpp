@@ -127,6 +127,7 @@ std::optional<AlignResult> AlignerLink::planAnew(const std::string& session_id,
   AlignGoal goal;
   goal.continue_session = session_id;
   goal.max_questions = -1;
+  goal.unsure_policy = AlignGoal::KEEP;
   Bytes bytes(ros::serialization::serializationLength(goal));
   ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   ros::serialization::serialize(out, goal);

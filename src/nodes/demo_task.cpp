@@ -137,6 +137,7 @@ Plan align(ros::NodeHandle& node, TaskStory& story, const HumanTask& task, bool 
   goal.task = task;
   goal.source = AlignGoal::PARAMS;
   goal.max_questions = -1;
+  goal.unsure_policy = AlignGoal::KEEP;
   AlignResult result = resultOf(client, story, goal);
   while (result.outcome == AlignResult::EXPECTATION_UNACHIEVABLE && !result.alternatives.empty()) {
     if (!settles) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "goal_alignment/common/random_source.h"
@@ -12,10 +11,6 @@ namespace goal_alignment::questions {
 
 /// Values this close are one value: they are sums of the same products in another order.
 constexpr double kTolerance = 1e-11;
-
-/// The live conflict with the candidate in it that has the fewest open candidates, proven ones
-/// first: the shortest reason for asking.
-std::optional<std::size_t> smallestLiveConflict(const Situation& situation, std::size_t candidate);
 
 /// For policies that ask inside conflicts only: the open members of every live conflict, by the
 /// index of the conflict. Nothing where the dialogue has ended: every conflict is hit by a NO, or

@@ -123,12 +123,7 @@ void AlignerNode::takeTask(const HumanTask::ConstPtr& task) {
   goal.task = *task;
   goal.source = AlignGoal::PARAMS;
   goal.max_questions = -1;
-  try {
-    const NodeOptions options = NodeOptions::read(private_node_);
-    goal.unsure_policy = static_cast<std::uint8_t>(options.session.unsure_policy);
-  } catch (const ParameterError&) {
-    // The goal is refused for it, and then says so.
-  }
+  goal.unsure_policy = AlignGoal::KEEP;
   align_.submit(goal, kHumanTaskTopic);
 }
 
@@ -155,6 +150,7 @@ bool AlignerNode::reviseAnswer(Answer::Request& request, Answer::Response& respo
     AlignGoal goal;
     goal.continue_session = revision.continue_session;
     goal.max_questions = -1;
+    goal.unsure_policy = AlignGoal::KEEP;
     align_.submit(goal, kReviseAnswerService);
   }
   return true;

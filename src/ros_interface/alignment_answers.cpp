@@ -54,8 +54,7 @@ bool isAsked(const session::Snapshot& snapshot, const Literal& fluent) {
   return candidate != nullptr && candidate->state == CandidateState::Asked;
 }
 
-// Without what of the group was answered. The prospects are those of the whole, so that then
-// nothing can be said of them.
+// Without what of the group was answered.
 session::QuestionView stillAsked(const session::QuestionView& view, const session::Snapshot& now) {
   session::QuestionView rest = view;
   rest.fluents.clear();
@@ -67,10 +66,6 @@ session::QuestionView stillAsked(const session::QuestionView& view, const sessio
     rest.reasons.push_back(view.reasons[i]);
     rest.probabilities.push_back(view.probabilities[i]);
   }
-  if (rest.fluents.size() == view.fluents.size()) return view;
-  rest.if_yes = {};
-  rest.if_yes.ending = questions::Prospect::Ending::Plan;
-  rest.if_no = {};
   return rest;
 }
 
@@ -95,11 +90,12 @@ std::vector<Literal> AlignmentRunner::candidatesOf(const std::vector<Fluent>& fl
 
 // What was answered before the dialogue was broken off, perhaps by a crash, is not asked again.
 void AlignmentRunner::takeUpJournal() {
+  const bool ends_when_unsure = kept_.session->unsurePolicy() == session::UnsurePolicy::Abort;
   const std::set<Literal> before = answered();
   std::vector<Literal> known;
   for (const JournalAnswer& answer : std::exchange(kept_.journaled, {})) {
     // Under this policy "don't know" would end the dialogue before it begins.
-    const bool useless = answer.kind == AnswerKind::Unsure && kept_.ends_when_unsure;
+    const bool useless = answer.kind == AnswerKind::Unsure && ends_when_unsure;
     if (useless || before.count(answer.fluent) > 0) continue;
     const auto receipt = kept_.session->answer({answer.fluent}, answer.kind, answer.answered_by);
     if (!receipt.accepted) {
@@ -122,7 +118,10 @@ void AlignmentRunner::applyAnswers() {
   }
   // What was volunteered or revised may have made the open question needless. New facts may, too,
   // but mostly they don't; then nobody should be asked once more.
-  if (!answers.empty() && kept_.session->state() != State::AwaitingAnswer) closeQuestion();
+  if (answers.empty()) return;
+  if (kept_.session->state() != State::AwaitingAnswer) return closeQuestion();
+  // It has stayed, but where its answers would lead may be another place now.
+  if (open_.question_id != 0) open_view_ = *kept_.session->question();
 }
 
 void AlignmentRunner::apply(const AcceptedAnswer& answer) {
@@ -186,7 +185,8 @@ void AlignmentRunner::waitForAnswer(GoalTicket& ticket, const session::Snapshot&
                     toMessage(open_view_, kept_.phrases).why == toMessage(view, kept_.phrases).why;
   const auto began = Clock::now();
   if (same) {
-    narrowQuestion(ticket, now);
+    open_view_ = view;
+    refreshQuestion(ticket, now);
     if (!shows_open_) report(ticket, now, open_.text);
   } else if (!openQuestion(ticket, now)) {
     return;
@@ -258,20 +258,29 @@ void AlignmentRunner::putQuestion(GoalTicket& ticket, const session::Snapshot& n
   ask_human_.ask(open_);
 }
 
-// What of a group was answered is shown no longer. It stays the same question, with the same id.
-void AlignmentRunner::narrowQuestion(GoalTicket& ticket, const session::Snapshot& now) {
+// What of a group was answered is shown no longer, and what else was answered may have changed the
+// reason and how many questions may follow. It stays the same question, with the same id.
+void AlignmentRunner::refreshQuestion(GoalTicket& ticket, const session::Snapshot& now) {
   const session::QuestionView rest = stillAsked(open_view_, now);
-  if (rest.fluents.empty() || rest.fluents.size() == open_.fluents.size()) {
-    return report(ticket, now, open_.text);  // what was volunteered has to be seen, too
+  if (rest.fluents.empty()) return report(ticket, now, open_.text);
+  Question shown = open_;
+  const Question fresh = toMessage(rest, kept_.phrases);
+  shown.fluents = fresh.fluents;
+  shown.text = fresh.text;
+  shown.why = fresh.why;
+  shown.conflict = fresh.conflict;
+  shown.probabilities = fresh.probabilities;
+  shown.max_remaining = fresh.max_remaining;
+  shown.bound_is_provisional = fresh.bound_is_provisional;
+  const bool is_narrower = shown.fluents.size() < open_.fluents.size();
+  const bool is_new = shown != open_;
+  open_ = std::move(shown);
+  if (is_narrower) {
+    beginPatience();
+    return putQuestion(ticket, now);
   }
-  const Question shown = toMessage(rest, kept_.phrases);
-  open_.fluents = shown.fluents;
-  open_.text = shown.text;
-  open_.why = shown.why;
-  open_.conflict = shown.conflict;
-  open_.probabilities = shown.probabilities;
-  beginPatience();
-  putQuestion(ticket, now);
+  if (is_new) open_ = announcer_.publish(open_);
+  report(ticket, now, open_.text);  // what was volunteered has to be seen, too
 }
 
 void AlignmentRunner::closeQuestion() {

@@ -139,7 +139,6 @@ void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
   kept.id = boost::uuids::to_string(boost::uuids::random_generator()());
   kept.person = goal.task.person;
   kept.task_id = goal.task.task_id;
-  kept.ends_when_unsure = goal.unsure_policy == AlignGoal::ABORT;
   try {
     kept.phrases = phrasesOf(options.phrases);
   } catch (const std::exception& error) {

@@ -80,6 +80,8 @@ session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options) {
   }
   if (goal.unsure_policy != AlignGoal::KEEP)
     result.unsure_policy = static_cast<session::UnsurePolicy>(goal.unsure_policy);
+  else if (!goal.continue_session.empty())
+    result.unsure_policy.reset();
   if (goal.max_group_size > 0) result.max_group_size = goal.max_group_size;
   result.negative_candidates = result.negative_candidates || goal.negative_candidates != 0;
   return result;

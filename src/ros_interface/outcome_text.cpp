@@ -38,10 +38,8 @@ std::vector<std::vector<Literal>> givenUp(const session::Outcome& outcome) {
   return sets;
 }
 
-}  // namespace
-
-std::string spokenOutcome(const session::Outcome& outcome, const Snapshot& last,
-                          const phrasing::Phrases& phrases) {
+std::string withoutAlternatives(const session::Outcome& outcome, const Snapshot& last,
+                                const phrasing::Phrases& phrases) {
   const std::vector<Literal>& conflict = outcome.conflict;
   switch (outcome.code) {
     case OutcomeCode::Success:
@@ -66,6 +64,23 @@ std::string spokenOutcome(const session::Outcome& outcome, const Snapshot& last,
       break;
   }
   return outcome.message;
+}
+
+// With a full stop, so that another sentence can follow.
+std::string sentence(const std::string& text) {
+  return text.empty() || text.back() == '.' ? text : text + ".";
+}
+
+}  // namespace
+
+std::string spokenOutcome(const session::Outcome& outcome, const Snapshot& last,
+                          const phrasing::Phrases& phrases) {
+  const std::string text = withoutAlternatives(outcome, last, phrases);
+  std::vector<std::vector<Literal>> sets = givenUp(outcome);
+  const bool is_said = outcome.code == OutcomeCode::ExpectationUnachievable;
+  if (sets.empty() || is_said) return text;
+  sets.resize(std::min(sets.size(), phrasing::kSpokenAlternatives));
+  return sentence(text) + " " + phrases.alternatives(sets);
 }
 
 }  // namespace goal_alignment::ros_interface

@@ -231,6 +231,7 @@ void AlignerLink::takeUp(const QString& session_id, const std::vector<Fluent>& g
                        std::to_string(++number);
   message.goal.task.person = answered_by.toStdString();
   message.goal.max_questions = -1;
+  message.goal.unsure_policy = AlignGoal::KEEP;
   message.goal.continue_session = session_id.toStdString();
   message.goal.revised_not_wanted = given_up;
   last_goal_ = message.goal_id.id;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <utility>
 
 #include "implementation.h"
@@ -9,17 +10,17 @@ namespace goal_alignment::session {
 using achievability::Conflict;
 using questions::Knowledge;
 
-Reason Session::Implementation::reasonFor(const questions::Choice& choice) const {
-  if (!choice.conflict) return {};
-  const Conflict& conflict = robot().conflicts()[*choice.conflict];
-  return {fluents(conflict.members), conflict.proven, 0};
+Reason Session::Implementation::reasonFor(std::optional<std::size_t> conflict) const {
+  if (!conflict) return {};
+  const Conflict& known = robot().conflicts()[*conflict];
+  return {fluents(known.members), known.proven, 0};
 }
 
 void Session::Implementation::ask(const std::vector<questions::Choice>& choices) {
   std::vector<Dialogue::Posed> posed;
   posed.reserve(choices.size());
   for (const questions::Choice& choice : choices)
-    posed.push_back({choice.candidate, reasonFor(choice)});
+    posed.push_back({choice.candidate, reasonFor(choice.conflict)});
   ask(posed);
 }
 
@@ -36,21 +37,41 @@ void Session::Implementation::ask(const std::vector<Dialogue::Posed>& posed) {
                listed({dialogue_.fluents()[candidates.front()]}));
     return;
   }
+  dialogue_.ask(posed);
+  question_ = openQuestion();
+  state_ = State::AwaitingAnswer;
+}
+
+/// What the open question looks like, with what is known now.
+QuestionView Session::Implementation::openQuestion() const {
   const questions::Situation now = situation();
   QuestionView view;
-  for (const auto& [candidate, reason] : posed) {
-    view.fluents.push_back(dialogue_.fluents()[candidate]);
-    view.reasons.push_back(reason);
-    view.probabilities.push_back(beliefs_[candidate]);
+  for (const Dialogue::Posed& posed : dialogue_.posed()) {
+    view.fluents.push_back(dialogue_.fluents()[posed.candidate]);
+    view.reasons.push_back(reasonNow(posed, now));
+    view.probabilities.push_back(beliefs_[posed.candidate]);
   }
-  view.asked = asked - 1;
+  view.asked = dialogue_.asked() - 1;
   view.max_remaining = mostRemaining(now);
   view.bound_is_provisional = !robot().complete();
-  view.if_yes = questions::prospect(now, candidates, Knowledge::Wanted);
-  view.if_no = questions::prospect(now, candidates, Knowledge::NotWanted);
-  dialogue_.ask(posed);
-  question_ = std::move(view);
-  state_ = State::AwaitingAnswer;
+  view.if_yes = questions::prospect(now, dialogue_.openCandidates(), Knowledge::Wanted);
+  view.if_no = questions::prospect(now, dialogue_.openCandidates(), Knowledge::NotWanted);
+  return view;
+}
+
+/// Why it is asked as things stand: where an answer to something else has settled the reason that
+/// it was asked for, another may be left.
+Reason Session::Implementation::reasonNow(const Dialogue::Posed& posed,
+                                          const questions::Situation& now) const {
+  const auto rests = [&](const Conflict& conflict) {
+    return now.isLive(conflict) && fluents(conflict.members) == posed.reason.conflict;
+  };
+  const bool answered = now.knowledge[posed.candidate] != Knowledge::Open;
+  if (answered || posed.reason.conflict.empty() ||
+      std::any_of(now.conflicts.begin(), now.conflicts.end(), rests)) {
+    return posed.reason;
+  }
+  return reasonFor(questions::smallestLiveConflict(now, posed.candidate));
 }
 
 /// How many candidates a question may still be about. Each question is about one at least.

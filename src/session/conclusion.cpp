@@ -6,18 +6,11 @@
 #include "goal_alignment/common/exceptions.h"
 #include "implementation.h"
 
-/// Outcomes: the plan and what it promises, or what there could be instead.
+/// Outcomes: the plan and what it promises.
 namespace goal_alignment::session {
 
 using achievability::CandidateSet;
 using questions::Knowledge;
-
-namespace {
-
-/// More alternatives than a person reads.
-constexpr std::size_t kMostAlternatives = 10;
-
-}  // namespace
 
 void Session::Implementation::conclude(const CandidateSet& achieved, const task::Plan& first_plan) {
   const auto began = Limits::Clock::now();
@@ -74,23 +67,6 @@ FinalPlan Session::Implementation::finalPlan(const CandidateSet& achieved,
   if (!(achieved - asked - robot().alwaysTrue()).none())
     plan.extra_cost = std::max<std::int64_t>(0, plan.cost - cheaply(asked, first_plan).cost);
   return plan;
-}
-
-/// Everything wanted but as little as will do to have the rest, likeliest first.
-std::vector<Alternative> Session::Implementation::alternatives() {
-  std::vector<Alternative> result;
-  const CandidateSet wanted = dialogue_.with(Knowledge::Wanted);
-  for (const CandidateSet& given_up :
-       robot().alternatives(wanted, beliefs_, kMostAlternatives, limits())) {
-    Alternative alternative;
-    alternative.given_up = fluents(given_up);
-    alternative.probability = 1;
-    for (const std::size_t f : achievability::members(given_up)) {
-      alternative.probability *= 1 - beliefs_[f];
-    }
-    result.push_back(std::move(alternative));
-  }
-  return result;
 }
 
 std::vector<Literal> Session::Implementation::fluents(const CandidateSet& set) const {

@@ -54,6 +54,7 @@ void Session::Implementation::decide() {
     if (concludePlan()) return;
     if (concludeNoPlan()) return;
   }
+  if (ends_unsure_) return concludeUnsure();
   if (concludeBlocked()) return;
   const auto choices = questions::nextGroup(*policy_, situation(), options_.max_group_size);
   if (!choices.empty()) {
@@ -131,6 +132,25 @@ bool Session::Implementation::concludePlan() {
   return false;
 }
 
+/// Under UnsurePolicy::Abort: what the person is not sure of ends the dialogue.
+void Session::Implementation::concludeUnsure() {
+  const questions::Situation now = situation();
+  const CandidateSet unsure = dialogue_.with(Knowledge::Unsure) - dialogue_.assumed();
+  Outcome outcome;
+  outcome.code = OutcomeCode::UnsureBlocks;
+  CandidateSet deciding = unsure;
+  for (const std::size_t f : achievability::members(unsure)) {
+    const auto reason = questions::smallestLiveConflict(now, f);
+    if (!reason) continue;
+    blame(outcome, now.conflicts[*reason]);
+    deciding = now.conflicts[*reason].members & unsure;
+    break;
+  }
+  outcome.message =
+      "\"don't know\" ends this dialogue undecided; it depends on " + listed(fluents(deciding));
+  finish(std::move(outcome));
+}
+
 /// A live conflict without open candidates can't be hit any more: no plan will be found.
 bool Session::Implementation::concludeBlocked() {
   const questions::Situation now = situation();
@@ -152,8 +172,9 @@ bool Session::Implementation::concludeBlocked() {
       Outcome outcome;
       outcome.code = OutcomeCode::UnsureBlocks;
       blame(outcome, *small);
-      outcome.message = "what is wanted can't be had all together; it depends on " +
-                        listed(fluents(conflict.members & unsure));
+      outcome.message = (conflict.proven ? "what is wanted can't be had all together"
+                                         : "what is wanted may not be had all together") +
+                        ("; it depends on " + listed(fluents(conflict.members & unsure)));
       finish(std::move(outcome));
     } else {
       Outcome outcome;

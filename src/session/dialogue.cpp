@@ -7,6 +7,18 @@ namespace goal_alignment::session {
 
 using questions::Knowledge;
 
+namespace {
+
+/// What an asked candidate was answered. What still is open when a question ends was declined.
+AnswerKind kindOf(Knowledge knowledge) {
+  return knowledge == Knowledge::Wanted      ? AnswerKind::Yes
+         : knowledge == Knowledge::NotWanted ? AnswerKind::No
+         : knowledge == Knowledge::Unsure    ? AnswerKind::Unsure
+                                             : AnswerKind::Decline;
+}
+
+}  // namespace
+
 Dialogue::Dialogue(const alignment::Problem& problem)
     : specified_(problem.specified),
       knowledge_(problem.candidates.size(), Knowledge::Open),
@@ -58,6 +70,7 @@ Receipt Dialogue::answer(const std::vector<Literal>& fluents, AnswerKind kind,
   }
   for (const Literal& fluent : fluents)
     set(*find(fluent), kind, answered_by);
+  noteLateAnswers();
   closeIfAnswered();
   return {true, ""};
 }
@@ -88,13 +101,36 @@ void Dialogue::close(bool declined) {
     if (knowledge == Knowledge::Open && !declined) continue;
     record.fluents.push_back(fluents_[open_->candidates[i]]);
     record.reasons.push_back(std::move(open_->reasons[i]));
-    record.answers.push_back(knowledge == Knowledge::Wanted      ? AnswerKind::Yes
-                             : knowledge == Knowledge::NotWanted ? AnswerKind::No
-                             : knowledge == Knowledge::Unsure    ? AnswerKind::Unsure
-                                                                 : AnswerKind::Decline);
+    record.answers.push_back(kindOf(knowledge));
   }
   records_.push_back(std::move(record));
   open_.reset();
+}
+
+/// Who was shown a group answers all of it, also what the first answers have made needless.
+void Dialogue::noteLateAnswers() {
+  if (!taken_back_) return;
+  QuestionRecord& record = records_.back();
+  std::ptrdiff_t at = 0;  // in the record, which is in the question's order
+  for (std::size_t i = 0; i < taken_back_->candidates.size(); ++i) {
+    const std::size_t candidate = taken_back_->candidates[i];
+    const auto next = record.fluents.begin() + at;
+    const bool is_new = next == record.fluents.end() || *next != fluents_[candidate];
+    if (is_new && knowledge_[candidate] == Knowledge::Open) continue;
+    if (is_new) {
+      record.fluents.insert(next, fluents_[candidate]);
+      record.reasons.insert(record.reasons.begin() + at, taken_back_->reasons[i]);
+      record.answers.insert(record.answers.begin() + at, kindOf(knowledge_[candidate]));
+    }
+    ++at;
+  }
+}
+
+std::vector<Dialogue::Posed> Dialogue::posed() const {
+  std::vector<Posed> result;
+  for (std::size_t i = 0; i < open_->candidates.size(); ++i)
+    result.push_back({open_->candidates[i], open_->reasons[i]});
+  return result;
 }
 
 void Dialogue::ask(const std::vector<Posed>& posed) {
@@ -105,13 +141,17 @@ void Dialogue::ask(const std::vector<Posed>& posed) {
   }
   asked_ = askedWith(question.candidates);
   withdrawn_.clear();
+  taken_back_.reset();
   question.waiting = question.candidates;
   open_ = std::move(question);
 }
 
 void Dialogue::withdraw() {
   if (!open_) return;
-  if (open_->waiting.size() < open_->candidates.size()) return close(false);
+  if (open_->waiting.size() < open_->candidates.size()) {
+    taken_back_ = open_;
+    return close(false);
+  }
   withdrawn_ = std::move(open_->candidates);
   open_.reset();
 }

@@ -49,6 +49,8 @@ class Dialogue {
 
   bool isOpen() const { return open_.has_value(); }
   const std::vector<std::size_t>& openCandidates() const { return open_->waiting; }
+  /// The open question's candidates, answered or not, as they were posed.
+  std::vector<Posed> posed() const;
   const std::vector<questions::Knowledge>& knowledge() const { return knowledge_; }
   const std::string& answeredBy(std::size_t candidate) const { return answered_by_[candidate]; }
   const std::vector<QuestionRecord>& records() const { return records_; }
@@ -79,6 +81,7 @@ class Dialogue {
   void set(std::size_t candidate, AnswerKind kind, const std::string& answered_by);
   void closeIfAnswered();
   void close(bool declined);
+  void noteLateAnswers();
 
   std::vector<Literal> fluents_;    // by candidate, and so sorted
   std::vector<Literal> specified_;  // sorted
@@ -88,6 +91,7 @@ class Dialogue {
   std::vector<bool> assumed_;
   std::optional<OpenQuestion> open_;
   std::vector<QuestionRecord> records_;
+  std::optional<OpenQuestion> taken_back_;  // the last record's, answered in part
   std::size_t asked_ = 0;
   std::vector<std::size_t> withdrawn_;  // the last question, where nobody answered it
 };

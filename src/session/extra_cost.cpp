@@ -60,34 +60,46 @@ CandidateSet Session::Implementation::trueAtEnd(const task::Plan& plan) const {
   return result;
 }
 
-/// Asks about a candidate that nobody asked for and that costs more than is let pass; false where
-/// there is none. The least likely ones come first.
-bool Session::Implementation::askAboutCost(const CandidateSet& wished, const task::Plan& plan) {
-  if (!costsMatter()) return false;
-  const CandidateSet asked = dialogue_.with(Knowledge::Wanted) | dialogue_.with(Knowledge::Unsure);
-  const search::Improved least = cheapened(asked, plan, kStates);
+/// Those of `open` that each cost more than is let pass to have besides `kept`, `most` at most, the
+/// least likely first. The plan has all of both.
+std::vector<Dialogue::Posed> Session::Implementation::tooCostly(const CandidateSet& kept,
+                                                                const CandidateSet& open,
+                                                                const task::Plan& plan,
+                                                                std::size_t most) {
+  std::vector<Dialogue::Posed> result;
+  const search::Improved least = cheapened(kept, plan, kStates);
   const auto extra = [&](task::Cost cost) { return cost - least.cost; };
   const auto passes = [&](task::Cost cost) {
     return static_cast<double>(extra(cost)) <= options_.max_extra_cost;
   };
-  if (passes(task::cost(robot().task(), plan))) return false;
+  if (passes(task::cost(robot().task(), plan))) return result;
   CandidateSet free = robot().alwaysTrue() | trueAtEnd(least.plan);
-  std::vector<std::size_t> open =
-      achievability::members((wished & dialogue_.with(Knowledge::Open)) - free);
-  std::stable_sort(open.begin(), open.end(),
+  std::vector<std::size_t> left = achievability::members(open - free);
+  std::stable_sort(left.begin(), left.end(),
                    [this](std::size_t a, std::size_t b) { return beliefs_[a] < beliefs_[b]; });
-  for (const std::size_t candidate : open) {
+  for (const std::size_t candidate : left) {
+    if (result.size() == most) break;
     if (free.test(candidate)) continue;
-    CandidateSet with = asked;
+    CandidateSet with = kept;
     with.set(candidate);
-    const search::Improved kept = cheapened(with, plan, kStates);
-    if (!passes(kept.cost)) {
-      ask({Dialogue::Posed{candidate, Reason{{}, true, extra(kept.cost)}}});
-      return true;
-    }
-    free |= trueAtEnd(kept.plan);
+    const search::Improved dearer = cheapened(with, plan, kStates);
+    if (passes(dearer.cost))
+      free |= trueAtEnd(dearer.plan);
+    else
+      result.push_back({candidate, Reason{{}, true, extra(dearer.cost)}});
   }
-  return false;
+  return result;
+}
+
+/// Asks about a candidate that nobody asked for and that costs more than is let pass; false where
+/// there is none.
+bool Session::Implementation::askAboutCost(const CandidateSet& wished, const task::Plan& plan) {
+  if (!costsMatter()) return false;
+  const CandidateSet kept = dialogue_.with(Knowledge::Wanted) | dialogue_.with(Knowledge::Unsure);
+  const auto posed = tooCostly(kept, wished & dialogue_.with(Knowledge::Open), plan, 1);
+  if (posed.empty()) return false;
+  ask(posed);
+  return true;
 }
 
 }  // namespace goal_alignment::session

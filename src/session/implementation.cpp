@@ -73,6 +73,7 @@ bool leavesOpen(OutcomeCode code) {
 
 Session::Implementation::Implementation(Options options) : options_(std::move(options)) {
   validate(options_);
+  if (!options_.unsure_policy) options_.unsure_policy = UnsurePolicy::AsYes;
 }
 
 void Session::Implementation::begin(Input input) {
@@ -90,6 +91,7 @@ void Session::Implementation::begin(Input input) {
   budget_from_ = 0;
   asked_before_ = 0;
   conflicts_ended_.clear();
+  ends_unsure_ = false;
   phase_ = Phase::Read;
   state_ = State::Analysing;
 }
@@ -213,6 +215,8 @@ void Session::Implementation::checkWhole() {
       conclude(~none, whole.plan);
     return;
   }
+  if (whole.limit == LimitReason::Time || whole.limit == LimitReason::Cancelled)
+    throw LimitReached(whole.limit, "the search for a plan");
   const Check specified = robot().check(none, limits());
   if (specified.verdict == Verdict::Unachievable) {
     Outcome outcome;
@@ -252,6 +256,8 @@ std::vector<double> Session::Implementation::costDifferences(alignment::CostOpti
 /// Where a limit ends this, the dialogue goes on inside the conflicts known.
 void Session::Implementation::findConflicts() {
   phase_ = Phase::Decide;
+  // What was given up since they were sought first may have made them needless.
+  if (knownPlanFor(~dialogue_.with(questions::Knowledge::NotWanted)) != nullptr) return;
   const Limits own = limits(kShareOfDialogue * options_.time_limit);
   if (robot().findAllConflicts(own) || own.interruption() == LimitReason::Cancelled) return;
   const auto& known = robot().conflicts();
@@ -295,6 +301,7 @@ std::vector<bool> Session::Implementation::unachievableAlone() {
 Receipt Session::Implementation::answer(const std::vector<Literal>& fluents, AnswerKind kind,
                                         const std::string& answered_by, bool revising) {
   if (!problem_) return {false, "the models are not read yet; there is no question"};
+  step_began_ = Limits::Clock::now();  // what there could be instead may have to be thought about
   if (kind == AnswerKind::Decline) {
     if (state_ == State::Done) return {false, "the dialogue is over; there is nothing to decline"};
     dialogue_.decline();
@@ -304,12 +311,18 @@ Receipt Session::Implementation::answer(const std::vector<Literal>& fluents, Ans
   Receipt receipt = dialogue_.answer(fluents, kind, answered_by, revising);
   if (!receipt.accepted) return receipt;
   if (kind == AnswerKind::Unsure && options_.unsure_policy == UnsurePolicy::Abort) {
-    finish(OutcomeCode::UnsureBlocks, "\"don't know\" ends this dialogue undecided");
-    return receipt;
+    ends_unsure_ = true;
+    if (!beliefs_.empty()) {
+      concludeUnsure();
+      return receipt;
+    }
   }
   // Another fluent was volunteered, or only a part of a group was answered.
   const bool unanswered = state_ == State::AwaitingAnswer && dialogue_.isOpen();
-  if (unanswered && !revising && openQuestionMatters()) return receipt;
+  if (unanswered && !revising && openQuestionMatters()) {
+    question_ = openQuestion();
+    return receipt;
+  }
   dialogue_.withdraw();
   question_.reset();
   if (state_ != State::Analysing) resume(nextPhase());
@@ -350,7 +363,7 @@ void Session::Implementation::goOn(const Options& options) {
   options_.time_limit = options.time_limit;
   options_.memory_limit = options.memory_limit;
   options_.max_questions = options.max_questions;
-  options_.unsure_policy = options.unsure_policy;
+  if (options.unsure_policy) options_.unsure_policy = options.unsure_policy;
   options_.max_group_size = options.max_group_size;
   asked_before_ = dialogue_.asked();
   dialogue_.countAnew();
@@ -387,8 +400,11 @@ void Session::Implementation::finish(OutcomeCode code, std::string message) {
 void Session::Implementation::finish(Outcome outcome) {
   // A cancel is used up by the outcome it brings about: the session can go on after it.
   if (outcome.code == OutcomeCode::Canceled) cancel_.reset();
+  if (outcome.code == OutcomeCode::BudgetLimit) outcome.message += "; more time would not help";
+  outcome.alternatives = alternativesAfter(outcome.code);
   outcome_ = std::move(outcome);
   if (!conflicts_ended_.empty()) outcome_.message += "; " + conflicts_ended_;
+  ends_unsure_ = false;
   dialogue_.withdraw();
   question_.reset();
   state_ = State::Done;

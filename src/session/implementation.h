@@ -39,6 +39,7 @@ class Session::Implementation {
   std::vector<std::string> parameterNames(const std::string& action) const;
 
   State state() const { return state_; }
+  UnsurePolicy unsurePolicy() const { return *options_.unsure_policy; }
   const std::optional<QuestionView>& question() const { return question_; }
   const Outcome& outcome() const { return outcome_; }
   const Dialogue& dialogue() const { return dialogue_; }
@@ -74,6 +75,7 @@ class Session::Implementation {
   bool concludeNoPlan();
   bool concludePlan();
   bool concludeBlocked();
+  void concludeUnsure();
   bool anyLive() const;
   bool minimiseReasons(const std::vector<questions::Choice>& choices);
   void blame(Outcome& outcome, const achievability::Conflict& conflict) const;
@@ -83,11 +85,16 @@ class Session::Implementation {
   // asking.cpp: what is asked, why, and how much more may follow
   void ask(const std::vector<questions::Choice>& choices);
   void ask(const std::vector<Dialogue::Posed>& posed);
-  Reason reasonFor(const questions::Choice& choice) const;
+  QuestionView openQuestion() const;
+  Reason reasonFor(std::optional<std::size_t> conflict) const;
+  Reason reasonNow(const Dialogue::Posed& posed, const questions::Situation& now) const;
   std::size_t mostRemaining(const questions::Situation& now) const;
 
   // extra_cost.cpp: what keeping things costs that nobody asked for
   bool costsMatter() const;
+  std::vector<Dialogue::Posed> tooCostly(const achievability::CandidateSet& kept,
+                                         const achievability::CandidateSet& open,
+                                         const task::Plan& plan, std::size_t most);
   bool askAboutCost(const achievability::CandidateSet& wished, const task::Plan& plan);
   search::Improved cheapened(const achievability::CandidateSet& set, const task::Plan& plan,
                              std::uint64_t states);
@@ -98,11 +105,20 @@ class Session::Implementation {
   void conclude(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
   FinalPlan finalPlan(const achievability::CandidateSet& achieved, const task::Plan& first_plan);
   bool humanPlanAchieves(const std::vector<Literal>& goal) const;
-  std::vector<Alternative> alternatives();
   std::vector<Literal> fluents(const achievability::CandidateSet& set) const;
   std::vector<Literal> specifiedAnd(const achievability::CandidateSet& set) const;
   std::string listed(const std::vector<Literal>& literals) const;
   std::string askedFor() const;
+
+  // alternatives.cpp: what there could be instead
+  std::vector<Alternative> alternativesAfter(OutcomeCode code);
+  std::vector<achievability::CandidateSet> setsToGiveUp(OutcomeCode code,
+                                                        const std::vector<double>& beliefs);
+  std::vector<achievability::CandidateSet> knownSetsToGiveUp(
+      const achievability::CandidateSet& all) const;
+  achievability::CandidateSet costlySet(const achievability::CandidateSet& all);
+  const task::Plan* knownPlanFor(const achievability::CandidateSet& set) const;
+  std::vector<double> answeredBeliefs() const;
 
   Options options_;
   alignas(64) CancelToken cancel_;  // apart from what the thread that works reads and writes
@@ -127,6 +143,7 @@ class Session::Implementation {
   std::size_t belief_calls_ = 0;
   double budget_from_ = 0;        // thinking time used up when the last outcome was reached
   std::size_t asked_before_ = 0;  // questions that do not count against max_questions
+  bool ends_unsure_ = false;      // as soon as it is known what the person could choose
 };
 
 }  // namespace goal_alignment::session

@@ -25,6 +25,10 @@ State Session::state() const {
   return implementation_->state();
 }
 
+UnsurePolicy Session::unsurePolicy() const {
+  return implementation_->unsurePolicy();
+}
+
 const std::optional<QuestionView>& Session::question() const {
   return implementation_->question();
 }

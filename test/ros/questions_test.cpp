@@ -135,6 +135,28 @@ TEST_F(Questions, aVolunteeredAnswerToOneOfAGroupLeavesTheOthersOpen) {
   expectAnswered(result, second, Candidate::WANTED);
 }
 
+TEST_F(Questions, aVolunteeredAnswerChangesHowManyMayFollowAndNotTheQuestion) {
+  const Question first = sendAndAwaitQuestion(lightLamps());
+  ASSERT_EQ(first.fluents.size(), 1U);
+  const std::string lamp = textOf(first.fluents[0]);
+  const std::string of_other_pair = lamp[5] == 'a' ? "(lit b1)" : "(lit a1)";
+  EXPECT_TRUE(answer(kNo, 0, {of_other_pair}).accepted);
+  const auto again = questions_.waitFor([&](const Question& shown) {
+    return shown.question_id == first.question_id && shown.max_remaining < first.max_remaining;
+  });
+  ASSERT_TRUE(again);
+  EXPECT_EQ(textsOf(again->fluents), Texts{lamp});
+  EXPECT_EQ(again->text, first.text);
+  EXPECT_EQ(again->asked, first.asked);
+  EXPECT_TRUE(states_.waitFor([&](const AlignmentState& state) {
+    return state.session_id == first.session_id && state.max_remaining == again->max_remaining;
+  }));
+  // Both pairs are settled by a no, so that the reason now is all that is known to stand in the
+  // way.
+  EXPECT_TRUE(answer(kNo, first.question_id).accepted) << "it is still open";
+  EXPECT_EQ(expectEnd(AlignResult::SUCCESS).questions, 1U);
+}
+
 TEST_F(Questions, whatIsLeftOfAGroupIsPutAgainAfterSilence) {
   const Parameter timeout("ask_timeout", 0.3);
   const Parameter retries("ask_retries", 1000);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // plan_executor with an aligner: preconditions are watched, failures and surprises lead to new
 // plans under the same answers, and plans are executed on their own once.
+#include <cstdint>
 #include <set>
 
 #include "aligner_calls.h"
@@ -58,8 +59,10 @@ class Replans : public Scenario, protected PlanRuns {
   }
 
   /// The plan, after it was answered that quiet does not matter.
-  Plan alignedPlan() {
-    const Question question = sendAndAwaitQuestion(bringLetter());
+  Plan alignedPlan(std::uint8_t unsure_policy = AlignGoal::AS_YES) {
+    AlignGoal goal = bringLetter();
+    goal.unsure_policy = unsure_policy;
+    const Question question = sendAndAwaitQuestion(goal);
     EXPECT_EQ(textsOf(question.fluents), std::vector<std::string>{"(quiet study)"});
     EXPECT_TRUE(answer(kNo, question.question_id).accepted);
     const AlignResult result = Scenario::awaitResult();
@@ -129,6 +132,17 @@ TEST_F(Replans, stopWhereTheAnswersLeaveNoOtherPlan) {
   EXPECT_EQ(result.failed_step, 1);
   EXPECT_EQ(doneBy(result), "(fetch hall)");
   EXPECT_EQ(result.plan.steps.size(), 4U) << "what was not carried out is in the result";
+}
+
+TEST_F(Replans, askUnderTheUnsurePolicyOfTheSession) {
+  setMapping(std::string(kSimulated) + "failures: {(go hall corridor): always}");
+  send(alignedPlan(AlignGoal::DEFER));
+  for (int i = 0; i < 2; ++i) {  // DEFER asks once more
+    const Question lawn = awaitQuestionAfter(last_question_);
+    last_question_ = lawn.question_id;
+    EXPECT_TRUE(answer(Answer::Request::UNSURE, lawn.question_id).accepted);
+  }
+  expectReason(PlanRuns::awaitEnd(), ExecutePlanResult::STEP_FAILED, "there is no new plan (64)");
 }
 
 TEST_F(Replans, areCancelledWithThePlan) {

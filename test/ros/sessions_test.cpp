@@ -81,6 +81,27 @@ class Sessions : public Scenario {
     }
   }
 
+  // One guest or the other: each is offered, in the state and in words, too, and leads to a plan.
+  void expectAChoice(const AlignResult& before) {
+    ASSERT_EQ(before.alternatives.size(), 2U);
+    EXPECT_GE(before.alternatives[0].probability, before.alternatives[1].probability);
+    const AlternativeGoal& chosen = before.alternatives[0];
+    EXPECT_EQ(chosen.given_up.size(), 1U);
+    EXPECT_NE(before.message.find(chosen.given_up.at(0).text), std::string::npos) << before.message;
+    const auto shown = states_.waitFor([&](const AlignmentState& state) {
+      return state.session_id == before.session_id && state.outcome == before.outcome;
+    });
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(shown->alternatives, before.alternatives);
+    goOn(before, [&](AlignGoal& next) {
+      next.unsure_policy = AlignGoal::KEEP;
+      next.revised_not_wanted = chosen.given_up;
+    });
+    const AlignResult after = expectEnd(AlignResult::SUCCESS);
+    EXPECT_EQ(after.questions, 0U);
+    EXPECT_EQ(textsOf(after.plan.not_wanted), textsOf(chosen.given_up));
+  }
+
   static int stateOf(const AlignResult& result, const std::string& text) {
     for (const Candidate& candidate : result.candidates) {
       if (textOf(candidate.fluent) == text) return candidate.state;
@@ -448,8 +469,78 @@ TEST_F(Sessions, deferAsksOnceMore) {
 TEST_F(Sessions, abortEndsAtTheFirstDontKnow) {
   AlignGoal goal = seatGuests(3);
   goal.unsure_policy = AlignGoal::ABORT;
+  const Question question = begin(goal);
+  reply(question, kUnsure);
+  const AlignResult before = expectEnd(AlignResult::UNSURE_BLOCKS);
+  EXPECT_EQ(before.questions, 1U);
+  EXPECT_EQ(textsOf(before.conflict), (Texts{"(seated g1)", "(seated g2)"}));
+  expectAChoice(before);
+}
+
+// A revised answer, a goal of the node's own: the session asks once more, as it was begun.
+TEST_F(Sessions, keepDeferAfterARevisedAnswer) {
+  AlignGoal goal = seatGuests(3);
+  goal.unsure_policy = AlignGoal::DEFER;
+  const Question first = begin(goal);
+  reply(first, kNo);
+  const std::string session = expectEnd(AlignResult::SUCCESS).session_id;
+  EXPECT_TRUE(reviseAnswer(kUnsure, {textOf(first.fluents.at(0))}).accepted);
+  std::map<std::string, int> put;
+  for (int i = 0; i < 3; ++i) {
+    const Question question = askAgain();
+    ++put[textOf(question.fluents.at(0))];
+    reply(question, kUnsure);
+  }
+  EXPECT_EQ(put[textOf(first.fluents.at(0))], 1) << "once more";
+  EXPECT_EQ(put.size(), 2U);
+  EXPECT_TRUE(states_.waitFor([&](const AlignmentState& state) {
+    return state.session_id == session && state.outcome == AlignResult::UNSURE_BLOCKS &&
+           state.alternatives.size() == 2;
+  }));
+}
+
+TEST_F(Sessions, keepTheirUnsurePolicyOrTakeAnother) {
+  AlignGoal goal = seatGuests(3);
+  goal.unsure_policy = AlignGoal::DEFER;
+  reply(begin(goal), kDecline);
+  AlignResult before = expectEnd(AlignResult::DECLINED);
+  const auto keep = [](AlignGoal& next) { next.unsure_policy = AlignGoal::KEEP; };
+  goOn(before, keep);
+  for (int i = 0; i < 4; ++i)
+    reply(askAgain(), kUnsure);
+  before = expectEnd(AlignResult::UNSURE_BLOCKS);
+  EXPECT_EQ(before.questions, 4U);
+
+  reply(begin(goal), kDecline);
+  before = expectEnd(AlignResult::DECLINED);
+  goOn(before, [](AlignGoal& next) { next.unsure_policy = AlignGoal::ABORT; });
+  reply(askAgain(), kUnsure);
+  before = expectEnd(AlignResult::UNSURE_BLOCKS);
+  EXPECT_EQ(before.questions, 1U);
+  goOn(before, keep);  // now it is ABORT that is kept
+  reply(askAgain(), kUnsure);
+  EXPECT_EQ(expectEnd(AlignResult::UNSURE_BLOCKS).questions, 1U);
+}
+
+TEST_F(Sessions, beginUnderTheParameterWhereTheirGoalNamesNoPolicy) {
+  const Parameter policy("unsure_policy", "abort");
+  AlignGoal goal = seatGuests(3);
+  goal.unsure_policy = AlignGoal::KEEP;
   reply(begin(goal), kUnsure);
   EXPECT_EQ(expectEnd(AlignResult::UNSURE_BLOCKS).questions, 1U);
+}
+
+TEST_F(Sessions, offerAlternativesWhereverADialogueEndsWithoutAPlan) {
+  AlignGoal goal = seatGuests(3);
+  goal.unsure_policy = AlignGoal::AS_YES;
+  reply(begin(goal), kUnsure);
+  reply(ask(), kUnsure);
+  expectAChoice(expectEnd(AlignResult::UNSURE_BLOCKS));
+  reply(begin(goal), kDecline);
+  expectAChoice(expectEnd(AlignResult::DECLINED));
+  goal.max_questions = 0;
+  align_.sendGoal(goal);
+  expectAChoice(expectEnd(AlignResult::QUESTION_LIMIT));
 }
 
 TEST_F(Sessions, putAQuestionAgainAfterSilence) {

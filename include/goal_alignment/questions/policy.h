@@ -31,6 +31,10 @@ struct Situation {
   achievability::CandidateSet mattering() const;
 };
 
+/// The live conflict with the candidate in it that has the fewest open candidates, proven ones
+/// first: the shortest reason for asking.
+std::optional<std::size_t> smallestLiveConflict(const Situation& situation, std::size_t candidate);
+
 /// What to ask, and the live conflict that makes its answer matter, if there is one.
 struct Choice {
   std::size_t candidate = 0;

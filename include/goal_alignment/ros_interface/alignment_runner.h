@@ -74,7 +74,6 @@ class AlignmentRunner {
     std::size_t questions_before = 0;
     std::string told_break;  // what was said about the human's plan
     bool models_known = false;
-    bool ends_when_unsure = false;
     unsigned facts_seen = 0;  // RobotFacts::version()
     whereabouts::Observation seen;
     bool facts_known = false;  // since the goal under way began
@@ -123,7 +122,7 @@ class AlignmentRunner {
   QuestionBridge::Wake awaitNews();
   void treatSilence();
   bool openQuestion(GoalTicket& ticket, const session::Snapshot& now);
-  void narrowQuestion(GoalTicket& ticket, const session::Snapshot& now);
+  void refreshQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void beginPatience();
   void putQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void closeQuestion();

@@ -24,7 +24,8 @@ class GoalError : public std::runtime_error {
 /// Throws GoalError, ParameterError, or pddl::InputError for a file that can't be read.
 session::Input inputOf(const AlignGoal& goal, const NodeOptions& options);
 
-/// The session's options: the parameters, with what the goal says about them. Throws GoalError.
+/// The session's options: the parameters, with what the goal says about them; no unsure_policy
+/// where a session that goes on keeps its own. Throws GoalError.
 session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options);
 
 /// The templates of the file; none for "". Throws std::runtime_error.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,8 @@ struct Options {
   std::uint64_t seed = 0;       ///< breaks ties
   alignment::BeliefOptions belief;
   ConflictMode conflicts = ConflictMode::Full;
-  UnsurePolicy unsure_policy = UnsurePolicy::AsYes;
+  /// Nothing: AsYes; for a session that goes on, the one that it has.
+  std::optional<UnsurePolicy> unsure_policy;
   std::size_t max_group_size = 1;    ///< fluents that one question may offer, 1 or more
   bool negative_candidates = false;  ///< "not f" is a candidate, too, where the robot may make f so
   /// Predicates that nobody is asked about. Their candidates are assumed to be wanted: a plan keeps

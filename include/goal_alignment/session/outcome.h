@@ -50,10 +50,16 @@ struct FinalPlan {
                                             ///< the plan does not promise them
 };
 
-/// What could be had instead, after NO_PLAN: everything wanted but these fluents.
+/// What could be had instead, where a dialogue ended without a plan. After code 52 there is a plan
+/// for everything answered YES but these fluents. After the others that have alternatives (53 to
+/// 55, 61, 62, 64) there is one for everything not answered NO but these: answered NO, the session
+/// finds it without another question.
 struct Alternative {
   std::vector<Literal> given_up;
-  double probability = 0;  ///< that the person wants none of the fluents given up
+  /// That the person wants none of the fluents given up, as far as the answers let: the product of
+  /// 1 − p over them, where p is the belief; what was answered YES counts as wanted but for one
+  /// case in fifty, so there 0.02 · (1 − p).
+  double probability = 0;
 };
 
 struct Outcome {
@@ -63,6 +69,8 @@ struct Outcome {
   std::vector<Literal> conflict;  ///< what can't be had together, with codes 51, 52, 64
   bool conflict_proven = false;   ///< proven, not only suspected
   bool conflict_minimal = false;  ///< every proper subset can be had
+  /// The likeliest first, ten at most. With codes 53 and 54 from what was known already, so that
+  /// less might do.
   std::vector<Alternative> alternatives;
   int failing_step = -1;  ///< index in the human plan, with code HumanPlanInvalid
 };

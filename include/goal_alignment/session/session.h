@@ -105,11 +105,12 @@ struct QuestionView {
   std::size_t max_remaining = 0;      ///< at most so many more, this one included
   bool bound_is_provisional = false;  ///< conflicts are not complete: the bound may still change,
                                       ///< and so may the prospects
-  questions::Prospect if_yes;         ///< what follows if all of `fluents` matter
-  questions::Prospect if_no;          ///< and if none does
+  questions::Prospect if_yes;         ///< what follows if all of `fluents` not answered yet matter
+  questions::Prospect if_no;          ///< and if none of those does
 };
 
-/// One question that was answered.
+/// One question that was answered. What of its fluents was answered only after others had made it
+/// needless is in it, too.
 struct QuestionRecord {
   std::vector<Literal> fluents;
   std::vector<Reason> reasons;      ///< by fluent
@@ -179,13 +180,15 @@ class Session {
   State step();
 
   State state() const;
+  UnsurePolicy unsurePolicy() const;                    ///< what "don't know" means now
   const std::optional<QuestionView>& question() const;  ///< in AwaitingAnswer
   const Outcome& outcome() const;                       ///< meaningful in Done
 
   /// Answers candidates, asked or not, at any time once the models are read. Refused:
   /// a fluent answered already (revise() changes it), a specified one, one outside S^H.
-  /// Answering part of an open question's fluents leaves the question open for the others. Decline
-  /// ends the dialogue.
+  /// Answering part of an open question's fluents leaves the question open for the others, and so
+  /// does an answer to something else, as long as the question still matters: then its bound,
+  /// prospects and reasons are those after the answer. Decline ends the dialogue.
   Receipt answer(const std::vector<Literal>& fluents, AnswerKind kind,
                  const std::string& answered_by);
 
@@ -212,11 +215,12 @@ class Session {
   Consequence whatIf(const std::vector<Literal>& wanted, const std::vector<Literal>& not_wanted,
                      double seconds);
 
-  /// Goes on under the limits, the unsure_policy and the max_group_size of `options`;
-  /// max_questions counts from here.
-  /// After an outcome that decided nothing (50, 53, 54, 60 to 62, 64), or that was due to the world
-  /// outside (70, 73), the work is taken up again where it was left; a definite outcome stays.
-  /// Throws std::invalid_argument like the constructor.
+  /// Goes on under the limits and the max_group_size of `options`, and under their unsure_policy
+  /// where they name one; max_questions counts from here.
+  /// After an outcome that decided nothing (50, 53 to 55, 60 to 62, 64), or that was due to the
+  /// world outside (70, 73), the work is taken up again where it was left; a definite outcome
+  /// stays. After 55 other answers, another robot state or more memory can lead further; more time
+  /// alone can't. Throws std::invalid_argument like the constructor.
   void goOn(const Options& options);
 
   /// Something outside makes it senseless to go on: Done with this outcome, whatever was before;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <set>
 #include <string>
@@ -79,6 +80,34 @@ TEST(Align, NoPlan) {
   ASSERT_EQ(found["alternatives"].size(), 2U);
   EXPECT_EQ(keys(found["alternatives"][0]), (std::set<std::string>{"given_up", "probability"}));
   EXPECT_FALSE(found.contains("plan"));
+}
+
+TEST(Align, WhatWasAnsweredYesIsHardlyGivenUp) {
+  const Folder folder;
+  writeDesk(folder, "(down b)\n(held a)\n(free)\n");
+  const json found = hagl({"align", folder.path(), "--json"}).json();
+  double last = 0.02;
+  for (const json& alternative : found["alternatives"]) {
+    const double probability = alternative["probability"];
+    EXPECT_GT(probability, 0);
+    EXPECT_LE(probability, last);
+    last = probability;
+  }
+}
+
+TEST(Align, AllThatWasShownInAGroupIsListed) {
+  const Folder folder;
+  writeDesk(folder, "(down b)\n(held b)\n");  // which can't be had: the rest is needless
+  const Ended ended = hagl({"align", folder.path(), "--group", "6", "--json"});
+  EXPECT_EQ(ended.status, 1) << ended.err;
+  const json questions = ended.json()["questions"];
+  EXPECT_EQ(ended.json()["rounds"], 1);
+  EXPECT_GE(questions.size(), 3U);
+  for (const json& question : questions) {
+    EXPECT_EQ(question["round"], 1);
+    EXPECT_EQ(question["answer"], question["fluent"] == "(held b)" ? "yes" : "no");
+    EXPECT_TRUE(question.contains("why"));
+  }
 }
 
 TEST(Align, UnsolvableSpecifiedGoal) {
@@ -217,6 +246,26 @@ TEST(Interactive, DontKnowLeavesItUndecided) {
   ended = hagl({"align", folder.path(), "--interactive", "--json", "--unsure-policy", "defer"},
                "?\nno\nno\nno\n");
   EXPECT_EQ(ended.status, 0) << ended.out;
+}
+
+TEST(Interactive, DontKnowLeavesAChoiceUnderEveryPolicy) {
+  const Folder folder;
+  writeDesk(folder, "");
+  for (const char* policy : {"as-yes", "defer", "abort"}) {
+    const std::vector<std::string> command = {"align", folder.path(), "--interactive",
+                                              "--unsure-policy", policy};
+    std::vector<std::string> as_json = command;
+    as_json.emplace_back("--json");
+    const json found = hagl(as_json, "?\n?\n").json();
+    EXPECT_EQ(found["code"], 64) << policy;
+    ASSERT_EQ(found["alternatives"].size(), 2U) << policy;
+    const std::vector<std::string> given_up = strings(found["alternatives"][0]["given_up"]);
+    EXPECT_EQ(std::count(given_up.begin(), given_up.end(), "(held b)"), 1) << policy;
+    EXPECT_EQ(strings(found["conflict"]), std::vector<std::string>{"(held b)"}) << policy;
+    const Ended plain = hagl(command, "?\n?\n");
+    EXPECT_NE(plain.out.find("; can do all but"), std::string::npos) << plain.out;
+    EXPECT_NE(plain.out.find("depends on (held B)"), std::string::npos) << plain.out;
+  }
 }
 
 TEST(Interactive, DecliningIsAnAnswer) {

@@ -47,11 +47,28 @@ TEST(OutcomeText, fluentsAreSpokenNotSpelled) {
   EXPECT_EQ(spoken(outcomeWith(OutcomeCode::UnsureBlocks, {"(a)", "(b)"})),
             "I can't have both: \"a\" holds, and \"b\" holds. It depends on whether this matters "
             "to you: \"b\" holds.");
-  for (const OutcomeCode limit : {OutcomeCode::TimeLimit, OutcomeCode::MemoryLimit})
+  for (const OutcomeCode limit :
+       {OutcomeCode::TimeLimit, OutcomeCode::MemoryLimit, OutcomeCode::BudgetLimit})
     EXPECT_EQ(spoken(outcomeWith(limit, {"(a)", "(b)"})).find("I could not make sure"), 0U);
   session::Outcome plan = outcomeWith(OutcomeCode::Success, {});
   plan.plan.assumed_not_wanted = {Literal::parse("(c)")};
   EXPECT_NE(spoken(plan).find("I do not promise it: \"c\" holds."), std::string::npos);
+}
+
+TEST(OutcomeText, whatCouldBeHadInsteadIsSaidWheneverThereIsSomething) {
+  session::Outcome unsure = outcomeWith(OutcomeCode::UnsureBlocks, {"(a)", "(b)"});
+  unsure.alternatives = {{{Literal::parse("(b)")}, 0.5}, {{Literal::parse("(a)")}, 0.02}};
+  const std::string text = spoken(unsure);
+  EXPECT_NE(text.find("It depends on whether this matters to you"), std::string::npos) << text;
+  const phrasing::Phrases phrases;
+  const std::string offer =
+      phrases.alternatives({unsure.alternatives[0].given_up, unsure.alternatives[1].given_up});
+  ASSERT_FALSE(offer.empty());
+  EXPECT_NE(text.find(offer), std::string::npos) << text;
+  session::Outcome declined = outcomeWith(OutcomeCode::Declined, {});
+  declined.alternatives = {unsure.alternatives[0]};
+  EXPECT_EQ(spoken(declined),
+            "as the session says it. " + phrases.alternatives({unsure.alternatives[0].given_up}));
 }
 
 TEST(OutcomeText, whereNoFluentIsNamedTheMessageStays) {

@@ -101,6 +101,35 @@ TEST(ExtraCost, ABoundThatSufficesAsksNothing) {
   EXPECT_EQ(session.outcome().plan.cost, 12);
 }
 
+// All of it can be had, and yet there is something to choose.
+TEST(ExtraCost, WhatCostsTooMuchCanBeGivenUp) {
+  for (const OutcomeCode end :
+       {OutcomeCode::Declined, OutcomeCode::UnsureBlocks, OutcomeCode::QuestionLimit}) {
+    Options options;
+    options.max_extra_cost = 3;
+    options.unsure_policy = UnsurePolicy::Abort;
+    if (end == OutcomeCode::QuestionLimit) options.max_questions = 0;
+    Session session(options);
+    session.begin(lamp());
+    if (think(session) == State::AwaitingAnswer) {
+      const bool declines = end == OutcomeCode::Declined;
+      session.answer(literals({"(off)"}), declines ? AnswerKind::Decline : AnswerKind::Unsure,
+                     "me");
+    }
+    ASSERT_EQ(session.outcome().code, end) << session.outcome().message;
+    ASSERT_EQ(session.outcome().alternatives.size(), 1U);
+    EXPECT_EQ(session.outcome().alternatives.front().given_up, literals({"(off)"}));
+    session.goOn({});
+    const bool unsure = end == OutcomeCode::UnsureBlocks;
+    EXPECT_TRUE((unsure ? session.revise(literals({"(off)"}), AnswerKind::No, "me")
+                        : session.answer(literals({"(off)"}), AnswerKind::No, "me"))
+                    .accepted);
+    EXPECT_EQ(think(session), State::Done);
+    EXPECT_EQ(code(session), 1);
+    EXPECT_EQ(session.outcome().plan.cost, 1);
+  }
+}
+
 RC_GTEST_PROP(ExtraCost, WhatIsKeptUnaskedIsCheapEnough, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);

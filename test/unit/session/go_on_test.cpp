@@ -144,6 +144,61 @@ TEST(SessionGoesOn, UnderAnUnsurePolicyThatDecides) {
   EXPECT_TRUE(session.state() == State::AwaitingAnswer || code(session) != 0);
 }
 
+Options under(UnsurePolicy policy) {
+  Options options;
+  options.unsure_policy = policy;
+  return options;
+}
+
+// How often (held b), which blocks by itself, is asked about of somebody who never knows.
+std::size_t timesAskedAboutHeldB(Session& session) {
+  std::size_t times = 0;
+  talk(session, [&](const Literal& fluent) {
+    if (fluent != literal("(held b)")) return AnswerKind::No;
+    ++times;
+    return AnswerKind::Unsure;
+  });
+  EXPECT_EQ(code(session), 64);
+  return times;
+}
+
+TEST(SessionGoesOn, UnderItsOwnUnsurePolicy) {
+  Session session = atFirstQuestion(under(UnsurePolicy::Defer));
+  session.giveUpWaiting("nobody is there");
+  session.goOn({});
+  EXPECT_EQ(session.unsurePolicy(), UnsurePolicy::Defer);
+  EXPECT_EQ(timesAskedAboutHeldB(session), 2U);
+}
+
+TEST(SessionGoesOn, UnderTheUnsurePolicyThatItIsGiven) {
+  Session session = atFirstQuestion(under(UnsurePolicy::Defer));
+  session.giveUpWaiting("nobody is there");
+  session.goOn(under(UnsurePolicy::AsYes));
+  EXPECT_EQ(session.unsurePolicy(), UnsurePolicy::AsYes);
+  EXPECT_EQ(timesAskedAboutHeldB(session), 1U);
+}
+
+TEST(SessionGoesOn, UnderDeferAfterARevisedAnswer) {
+  Session session = atFirstQuestion(under(UnsurePolicy::Defer));
+  talk(session, wanting({}));
+  ASSERT_EQ(code(session), 1);
+  session.goOn({});
+  ASSERT_TRUE(session.revise({literal("(held b)")}, AnswerKind::Unsure, "Ann").accepted);
+  EXPECT_EQ(timesAskedAboutHeldB(session), 1U) << "once more";
+}
+
+TEST(SessionGoesOn, UnderAbortUntilTheNextDontKnow) {
+  Session session = atFirstQuestion(under(UnsurePolicy::Abort));
+  ASSERT_TRUE(session.answer(session.question()->fluents, AnswerKind::No, "Ann").accepted);
+  ASSERT_EQ(think(session), State::AwaitingAnswer);
+  session.giveUpWaiting("nobody is there");
+  session.goOn({});
+  ASSERT_EQ(think(session), State::AwaitingAnswer);
+  ASSERT_TRUE(session.answer(session.question()->fluents, AnswerKind::Unsure, "Ann").accepted);
+  EXPECT_EQ(session.state(), State::Done);
+  EXPECT_EQ(code(session), 64);
+}
+
 TEST(SessionGoesOn, AnOptionOutOfRangeIsRefused) {
   Session session = atFirstQuestion();
   Options broken;

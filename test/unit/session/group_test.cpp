@@ -124,6 +124,52 @@ TEST(Group, APartThatIsAnsweredLeavesTheRestOpen) {
   EXPECT_EQ(session.questions().front().answers[1], AnswerKind::Yes);
 }
 
+TEST(Group, WhatTheFirstAnswersMakeNeedlessIsRecordedAllTheSame) {
+  Session session = samples::atFirstQuestion(groupsOf(6));
+  const std::vector<Literal> fluents = session.question()->fluents;
+  ASSERT_GE(fluents.size(), 3U);
+  ASSERT_EQ(fluents.front(), literals({"(held b)"}).front());
+  // It can't be had, so that nothing else matters.
+  EXPECT_TRUE(session.answer({fluents[0]}, AnswerKind::Yes, "me").accepted);
+  EXPECT_FALSE(session.question().has_value());
+  ASSERT_EQ(session.questions().size(), 1U);
+  EXPECT_EQ(session.questions().front().fluents.size(), 1U);
+  for (std::size_t i = fluents.size(); i-- > 1;)
+    EXPECT_TRUE(session.answer({fluents[i]}, AnswerKind::No, "me").accepted);
+  think(session);
+  EXPECT_EQ(code(session), 52);
+  ASSERT_EQ(session.questions().size(), 1U);
+  const QuestionRecord& record = session.questions().front();
+  EXPECT_EQ(record.fluents, fluents);
+  EXPECT_EQ(record.answers.front(), AnswerKind::Yes);
+  EXPECT_EQ(record.answers.back(), AnswerKind::No);
+  for (const Reason& reason : record.reasons)
+    EXPECT_FALSE(reason.conflict.empty());
+}
+
+RC_GTEST_PROP(Group, EveryFluentThatWasShownAndAnsweredIsRecorded, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomDisputedHagl(random);
+  RC_LOG() << samples::text(hagl);
+  Options chosen = samples::anyOptions(random);
+  chosen.max_group_size = 2 + random.below(5);
+  Session session(chosen);
+  session.begin(hagl.input);
+  std::size_t rounds = 0;
+  while (think(session) == State::AwaitingAnswer) {
+    const std::vector<Literal> shown = session.question()->fluents;
+    for (const Literal& fluent : shown)
+      RC_ASSERT(session.answer({fluent}, honest(hagl)(fluent), "person").accepted);
+    RC_ASSERT(session.questions().size() == ++rounds);
+    const QuestionRecord& record = session.questions().back();
+    RC_ASSERT(record.fluents == shown);
+    RC_ASSERT(record.round == rounds);
+    for (std::size_t i = 0; i < shown.size(); ++i)
+      RC_ASSERT(record.answers[i] == honest(hagl)(shown[i]));
+  }
+  RC_ASSERT(code(session) == expectedCode(hagl));
+}
+
 TEST(Group, UnsureAndDeclineAreSaidOfAll) {
   Session session = samples::atFirstQuestion(groupsOf(6));
   const std::vector<Literal> fluents = session.question()->fluents;

@@ -23,12 +23,12 @@ struct Row {
 
 // The tables of INTERFACE.md: outcomes and exit statuses.
 TEST(Outcome, EveryCodeHasItsWordAndExitStatus) {
-  const std::vector<Row> table = {{0, "internal", 5},   {1, "plan_found", 0}, {50, "cancelled", 4},
-                                  {51, "no_plan", 1},   {52, "no_plan", 1},   {53, "undecided", 3},
-                                  {54, "undecided", 3}, {60, "undecided", 3}, {61, "undecided", 3},
-                                  {62, "undecided", 3}, {63, "undecided", 3}, {64, "undecided", 3},
-                                  {70, "invalid", 2},   {71, "invalid", 2},   {72, "invalid", 2},
-                                  {73, "invalid", 2},   {80, "internal", 5}};
+  const std::vector<Row> table = {
+      {0, "internal", 5},   {1, "plan_found", 0}, {50, "cancelled", 4}, {51, "no_plan", 1},
+      {52, "no_plan", 1},   {53, "undecided", 3}, {54, "undecided", 3}, {55, "undecided", 3},
+      {60, "undecided", 3}, {61, "undecided", 3}, {62, "undecided", 3}, {63, "undecided", 3},
+      {64, "undecided", 3}, {65, "undecided", 3}, {70, "invalid", 2},   {71, "invalid", 2},
+      {72, "invalid", 2},   {73, "invalid", 2},   {80, "internal", 5}};
   for (const Row& row : table) {
     const auto code = static_cast<OutcomeCode>(row.code);
     EXPECT_EQ(outcomeWord(code), row.word) << row.code;
@@ -40,7 +40,7 @@ TEST(Outcome, OfALimit) {
   EXPECT_EQ(outcomeOf(LimitReason::Cancelled), OutcomeCode::Canceled);
   EXPECT_EQ(outcomeOf(LimitReason::Memory), OutcomeCode::MemoryLimit);
   EXPECT_EQ(outcomeOf(LimitReason::Time), OutcomeCode::TimeLimit);
-  EXPECT_EQ(outcomeOf(LimitReason::States), OutcomeCode::TimeLimit);
+  EXPECT_EQ(outcomeOf(LimitReason::States), OutcomeCode::BudgetLimit);
 }
 
 TEST(Outcome, OfAnException) {
