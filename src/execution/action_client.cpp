@@ -182,10 +182,10 @@ ActionClient::End ActionClient::run(const Bytes& goal, const Limits& limits,
     return woken == Woken::Interrupt ? End::Kind::Interrupted : End::Kind::TimedOut;
   };
   const double patience = std::max(limits.patience, kLeastPatience);
-  const auto server_until = std::min(deadlineIn(patience), limits.end);
+  const TimeLimit server_until = limits.end.capped(deadlineIn(patience));
   const Woken found = wait_.waitUntil(server_until, [this] { return connected(); });
-  if (found == Woken::Interrupt) return {End::Kind::Interrupted, 0, "", {}};
-  if (found == Woken::Timeout) return {End::Kind::NoServer, 0, "", {}};
+  if (found == Woken::Interrupt) return {End::Kind::Interrupted, 0, "", {}, true};
+  if (found == Woken::Timeout) return {End::Kind::NoServer, 0, "", {}, true};
 
   send(goal, goal_id);
   bool lost = false;
@@ -193,10 +193,13 @@ ActionClient::End ActionClient::run(const Bytes& goal, const Limits& limits,
   const Woken woken = wait_.waitUntil(limits.end, isOver);
   if (woken == Woken::Holds && !lost) return ending();
   cancel();
-  if (woken == Woken::Holds) return {End::Kind::Lost, 0, "", {}};
-  End end{kindOf(woken), 0, "", {}};
+  if (woken == Woken::Holds) return {End::Kind::Lost, 0, "", {}, true};
+  End end{kindOf(woken), 0, "", {}, true};
   const Woken settled = wait_.settleUntil(deadlineIn(limits.cancel_patience), isOver);
-  if (settled == Woken::Timeout) end.text = "it did not end when it was cancelled";
+  if (settled == Woken::Timeout) {
+    end.text = "it did not end when it was cancelled";
+    end.is_over = false;
+  }
   if (settled != Woken::Holds || lost) return end;
   // It may have been faster than the cancel, and must not be done once more.
   const End ended = ending();

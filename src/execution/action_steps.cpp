@@ -2,6 +2,7 @@
 #include <actionlib_msgs/GoalStatus.h>
 #include <fmt/format.h>
 
+#include "goal_alignment/execution/graph_view.h"
 #include "goal_alignment/execution/steps.h"
 #include "goal_alignment/ros_interface/stamp.h"
 #include "success.h"
@@ -34,9 +35,11 @@ StepEnd treat(const StepTry& attempt, const std::string& name, const End& end) {
     case End::Kind::Lost:
       return {StepEnd::Kind::Failed, fmt::format("the server of {} went away", name)};
     case End::Kind::TimedOut:
-      return {StepEnd::Kind::TimedOut, end.text.empty() ? name : name + ": " + end.text};
+      return {StepEnd::Kind::TimedOut, end.text.empty() ? name : name + ": " + end.text,
+              end.is_over};
     case End::Kind::Interrupted:
-      return {StepEnd::Kind::Interrupted, end.text.empty() ? "" : name + ": " + end.text};
+      return {StepEnd::Kind::Interrupted, end.text.empty() ? "" : name + ": " + end.text,
+              end.is_over};
     case End::Kind::Ended:
       break;
   }
@@ -63,6 +66,21 @@ ActionClient& ActionSteps::clientOf(const std::string& name, const ActionDefinit
         wait_);
   }
   return *client;
+}
+
+void ActionSteps::approach(const StepRule& rule, const Arguments& arguments) {
+  clientOf(arguments.fill(rule.name), *rule.action);
+}
+
+std::string ActionSteps::missing(const StepRule& rule, const Arguments& arguments,
+                                 Clock::time_point until) {
+  const std::string name = arguments.fill(rule.name);
+  const ActionClient& client = clientOf(name, *rule.action);
+  if (wait_.waitUntil(until, [&] { return client.connected(); }) == WaitPoint::Woken::Holds)
+    return "";
+  const auto graph = GraphView::now();
+  return fmt::format("nobody offers the action {} of type {}{}", name, rule.action->type,
+                     graph ? graph->nearAction(node_.resolveName(name), rule.action->type) : "");
 }
 
 StepEnd ActionSteps::run(const StepTry& attempt) {

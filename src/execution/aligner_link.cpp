@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 #include <ros/console.h>
+#include <ros/master.h>
 #include <ros/param.h>
 #include <ros/this_node.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "goal_alignment/AlignAction.h"
@@ -33,18 +35,8 @@ std::vector<GroundName> atomsOf(const std::vector<Fluent>& fluents) {
   std::vector<GroundName> atoms;
   for (const Fluent& fluent : fluents)
     atoms.push_back(ros_interface::toLiteral(fluent).atom);
+  std::sort(atoms.begin(), atoms.end());
   return atoms;
-}
-
-template <typename Service>
-std::optional<typename Service::Response> ask(ServiceCaller& services, const std::string& name,
-                                              const typename Service::Request& request,
-                                              Kind& kind) {
-  for (int i = 0; i < kServiceTries; ++i) {
-    auto response = services.call<Service>(name, request, 0, deadlineIn(kServiceSeconds), &kind);
-    if (response || kind != Kind::Failed) return response;
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -66,11 +58,35 @@ std::string AlignerLink::parameter(const std::string& key) const {
   return ros::param::get(aligner_ + key, value) ? value : "";
 }
 
+template <typename Service>
+std::optional<typename Service::Response> AlignerLink::ask(const std::string& name,
+                                                           const typename Service::Request& request,
+                                                           Kind& kind) {
+  for (int i = 0; i < kServiceTries; ++i) {
+    const auto end = deadlineIn(hangs_ ? kLastWordSeconds : kServiceSeconds);
+    auto response = services_.call<Service>(name, request, 0, end, &kind);
+    if (kind != Kind::Interrupted) hangs_ = kind == Kind::TimedOut || kind == Kind::TooMany;
+    if (response || kind != Kind::Failed) return response;
+  }
+  return std::nullopt;
+}
+
+std::string AlignerLink::life() const {
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue address;  // its port is another one after each start
+  request[0] = ros::this_node::getName();
+  request[1] = aligner_ + ros_interface::kSetFactsService;
+  const bool is_there = ros::master::execute("lookupService", request, response, address, false);
+  return is_there && address.getType() == XmlRpc::XmlRpcValue::TypeString
+             ? static_cast<std::string&>(address)
+             : "";
+}
+
 AlignerLink::Facts AlignerLink::facts() {
   Facts facts;
   Kind kind = Kind::Failed;
-  const auto response =
-      ask<GetFacts>(services_, aligner_ + ros_interface::kGetFactsService, {}, kind);
+  const auto response = ask<GetFacts>(aligner_ + ros_interface::kGetFactsService, {}, kind);
   if (!response) {
     facts.message = fmt::format("{}{} does not answer", aligner_, ros_interface::kGetFactsService);
     return facts;
@@ -93,7 +109,7 @@ bool AlignerLink::set(const std::vector<Literal>& changes, std::string& refusal)
   }
   Kind kind = Kind::Failed;
   const std::string service = aligner_ + ros_interface::kSetFactsService;
-  auto response = ask<SetFacts>(services_, service, request, kind);
+  auto response = ask<SetFacts>(service, request, kind);
   // A cancel ends the plan, but what the steps have changed stays so.
   if (kind == Kind::Interrupted) {
     response = services_.call<SetFacts>(service, request, 0, deadlineIn(kLastWordSeconds), &kind,
@@ -134,8 +150,7 @@ std::optional<AlignResult> AlignerLink::planAnew(const std::string& session_id,
   // The clock may stand still, and an earlier run of this node may have sent goals, too.
   const std::string id =
       fmt::format("{}{}-{}", ownGoals(), ros_interface::stampNow().toNSec(), ++goals_sent_);
-  const auto end =
-      align_.run(bytes, {kAlignerPatience, cancel_patience, Clock::time_point::max()}, id);
+  const auto end = align_.run(bytes, {kAlignerPatience, cancel_patience, TimeLimit()}, id);
   if (end.kind == EndKind::NoServer) {
     why_not = "there is no aligner to plan anew";
   } else if (end.kind != EndKind::Ended || !end.result) {

@@ -7,6 +7,7 @@
 
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/common/quote.h"
+#include "goal_alignment/pddl/near_name.h"
 
 namespace goal_alignment::execution {
 
@@ -22,8 +23,12 @@ Arguments::Arguments(const ActionDispatch& step, const YAML::Node& tables, std::
 std::string Arguments::object(const std::string& key, const YAML::Node& node) const {
   const auto found = objects_.find(toLower(key));
   if (found != objects_.end()) return found->second;
-  YamlReader(source_).failAt(node.Mark(), fmt::format("the action {} has no parameter {}",
-                                                      objects_.at("action"), inQuotes(key)));
+  std::vector<std::string> known;
+  for (const auto& object : objects_)
+    known.push_back(object.first);
+  YamlReader(source_).failAt(
+      node.Mark(), fmt::format("the action {} has no parameter {}{}", objects_.at("action"),
+                               inQuotes(key), pddl::suggestion(key, known)));
 }
 
 YAML::Node Arguments::entry(const std::string& name, const YAML::Node& node) const {
@@ -35,11 +40,14 @@ YAML::Node Arguments::entry(const std::string& name, const YAML::Node& node) con
   if (!entries.IsDefined() || !entries.IsMap()) {
     YamlReader(source_).failAt(node.Mark(), fmt::format("there is no table {}", inQuotes(table)));
   }
+  std::vector<std::string> known;
   for (const auto& candidate : entries) {
-    if (toLower(candidate.first.Scalar()) == of) return candidate.second;
+    known.push_back(candidate.first.Scalar());
+    if (toLower(known.back()) == of) return candidate.second;
   }
   YamlReader(source_).failAt(
-      node.Mark(), fmt::format("table {} has no entry for {}", inQuotes(table), inQuotes(of)));
+      node.Mark(), fmt::format("table {} has no entry for {}{}", inQuotes(table), inQuotes(of),
+                               pddl::suggestion(of, known)));
 }
 
 std::string Arguments::value(const std::string& name, const YAML::Node& node) const {
@@ -72,6 +80,22 @@ std::string Arguments::fill(const YAML::Node& scalar) const {
     i = end;
   }
   return filled;
+}
+
+std::vector<std::string> Arguments::namesIn(const std::string& text) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '{') continue;
+    if (i + 1 < text.size() && text[i + 1] == '{') {
+      ++i;
+      continue;
+    }
+    const std::size_t end = text.find('}', i);
+    if (end == std::string::npos) break;
+    names.push_back(text.substr(i + 1, end - i - 1));
+    i = end;
+  }
+  return names;
 }
 
 YAML::Node Arguments::resolve(const YAML::Node& node) const {

@@ -42,6 +42,9 @@ ExecutorOptions ExecutorOptions::read(const XmlRpc::XmlRpcValue& values, const s
   reader.read("facts_patience", options.facts_patience, 0, kLongest);
   reader.read("max_replans", options.max_replans, 0, kMostReplans);
   reader.read("cancel_patience", options.cancel_patience, 0, kLongest);
+  const std::size_t wall = static_cast<std::size_t>(ClockKind::Wall);
+  options.clock = static_cast<ClockKind>(reader.readChoice("clock", {"wall", "ros"}, wall));
+  reader.read("servers_patience", options.servers_patience, 0, kLongest);
   reader.read("step_duration", options.step_duration, 0, kLongest);
   reader.read("failure_probability", options.failure_probability, 0, 1);
   reader.read("failing_step", options.failing_step, -1, std::numeric_limits<int>::max());

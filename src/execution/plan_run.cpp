@@ -3,31 +3,17 @@
 
 #include <fmt/format.h>
 #include <ros/console.h>
-#include <ros/names.h>
 
+#include <algorithm>
 #include <utility>
 
-#include "goal_alignment/common/quote.h"
-#include "goal_alignment/pddl/source_position.h"
-#include "goal_alignment/ros_interface/message_conversion.h"
-#include "goal_alignment/ros_interface/package_files.h"
-#include "goal_alignment/ros_interface/stamp.h"
+#include "goal_alignment/execution/mapping_check.h"
 
 namespace goal_alignment::execution {
 namespace {
 
-using Verdict = RobotWatch::Verdict;
-
 constexpr int kMostFailures = 2;                     // of one ground action, each after its retries
 constexpr std::chrono::milliseconds kTryPause{200};  // between two tries of a step
-constexpr std::chrono::milliseconds kLookPause{100};  // between two looks at the facts
-
-GroundName groundOf(const ActionDispatch& step) {
-  GroundName ground{toLower(step.name), {}};
-  for (const auto& parameter : step.parameters)
-    ground.arguments.push_back(toLower(parameter.value));
-  return ground;
-}
 
 PlanStep stepOf(const ActionDispatch& step) {
   PlanStep message;
@@ -43,80 +29,13 @@ std::string about(const ActionDispatch& step) {
 
 }  // namespace
 
-std::string textOf(const ActionDispatch& step) {
-  std::string text = "(" + step.name;
-  for (const auto& parameter : step.parameters)
-    text += " " + parameter.value;
-  return text + ")";
-}
-
-std::string faultOf(const Plan& plan) {
-  if (plan.steps.empty() && plan.plan_id == 0) return "this is no plan: plan_id is 0";
-  for (std::size_t index = 0; index < plan.steps.size(); ++index) {
-    const ActionDispatch& step = plan.steps[index];
-    if (step.name.empty()) return fmt::format("step {} has no name", index);
-    if (step.action_id != static_cast<int>(index)) {
-      return fmt::format("step {} has action_id {}, expected its index", index, step.action_id);
-    }
-  }
-  try {
-    ros_interface::toLiterals(plan.guaranteed, "guaranteed");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return {};
-}
-
 PlanRun::PlanRun(const RunParts& parts, const StepMapping& mapping, const ExecutorOptions& options,
                  Tell tell)
-    : parts_(parts), mapping_(mapping), options_(options), tell_(std::move(tell)) {}
-
-std::string PlanRun::mappingFault(const Plan& plan) const {
-  for (const ActionDispatch& step : plan.steps) {
-    const StepRule* rule = mapping_.find(step.name);
-    if (rule == nullptr) {
-      return fmt::format("nothing says how to carry out {}: {}", about(step),
-                         mapping_.source.empty() ? "there is no mapping"
-                                                 : mapping_.source + " has no such action");
-    }
-    const Arguments arguments(step, mapping_.tables, mapping_.source);
-    try {
-      failureFacts(step, *rule);
-      if (rule->name.IsScalar()) checkServer(arguments.fill(rule->name), rule->name);
-      for (const FrameMove& move : rule->moves) {
-        arguments.fill(move.frame);
-        if (!move.parent.IsNull()) arguments.fill(move.parent);
-        if (!move.to.IsNull()) poseOf(arguments.resolve(move.to), mapping_.source);
-      }
-      if (rule->action) {
-        encode(parts_.types, rule->action->goal, rule->fields, arguments, {});
-        checkExpected(rule->action->result, *rule, arguments);
-      }
-      if (rule->service) {
-        encode(parts_.types, rule->service->request, rule->fields, arguments, {});
-        checkExpected(rule->service->response, *rule, arguments);
-      }
-    } catch (const std::exception& error) {
-      return fmt::format("{}: {}", about(step), error.what());
-    }
-  }
-  return {};
-}
-
-// What stands in a PDDL name may be more than roscpp takes, which it would say in mid-plan.
-void PlanRun::checkServer(const std::string& name, const YAML::Node& node) const {
-  std::string why_not = "it is private to a node";
-  if (name.rfind('~', 0) != 0 && ros::names::validate(name, why_not)) return;
-  YamlReader(mapping_.source)
-      .failAt(node.Mark(), fmt::format("{} can't be a name in ROS: {}", inQuotes(name), why_not));
-}
-
-// Once the step is done it would be too late to find them wrong.
-void PlanRun::checkExpected(const MessageDefinition& definition, const StepRule& rule,
-                            const Arguments& arguments) const {
-  for (const auto& [path, expected] : rule.success)
-    checkValue(parts_.types, definition, path, expected, arguments);
-}
+    : parts_(parts),
+      mapping_(mapping),
+      options_(options),
+      tell_(std::move(tell)),
+      facts_(parts.aligner, parts.ledger, parts.wait, options) {}
 
 ExecutePlanResult PlanRun::run(const Plan& plan) {
   plan_ = plan;
@@ -129,7 +48,11 @@ ExecutePlanResult PlanRun::run(const Plan& plan) {
 }
 
 ExecutePlanResult PlanRun::runOn() {
-  beginWatching();
+  facts_.begin(plan_);
+  if (facts_.model() != nullptr) {
+    for (const std::string& misfit : misfits(mapping_, *facts_.model()))
+      parts_.warn_once(misfit);
+  }
   while (true) {
     Trouble trouble = walk();
     if (trouble.outcome == ExecutePlanResult::SUCCESS ||
@@ -160,90 +83,101 @@ ExecutePlanResult PlanRun::resultOf(const Trouble& trouble) const {
   return result;
 }
 
-void PlanRun::beginWatching() {
-  unwatched_ = "its preconditions are not watched";
-  if (!options_.watch) return;
-  if (plan_.session_id.empty()) return stopWatching("the plan names no session of an aligner");
-  const auto file = [this](const std::string& given, const char* key) {
-    return ros_interface::resolveFile(given.empty() ? parts_.aligner.parameter(key) : given);
-  };
-  const auto facts = parts_.aligner.facts();
-  if (!facts.known) return stopWatching(facts.message);
-  try {
-    watch_.emplace(pddl::readModel(pddl::readFile(file(options_.robot_domain, "robot_domain")),
-                                   pddl::readFile(file(options_.robot_problem, "robot_problem"))));
-  } catch (const std::exception& error) {
-    stopWatching(error.what());
-  }
-}
-
-void PlanRun::stopWatching(const std::string& why) {
-  watch_.reset();
-  if (parts_.wait.interrupted()) return;  // nobody is interested any more
-  unwatched_ = "what is so is not known: " + why;
-  ROS_WARN("the plan runs without a look at its preconditions: %s", why.c_str());
-}
-
-// Nothing: the plan is not watched any more.
-std::optional<WorldState> PlanRun::world() {
-  auto facts = parts_.aligner.facts();
-  if (facts.known && facts.session_id == plan_.session_id) return std::move(facts.world);
-  stopWatching(facts.known ? "the aligner is at another task by now" : facts.message);
-  return std::nullopt;
-}
-
 PlanRun::Trouble PlanRun::walk() {
-  for (const ActionDispatch& step : plan_.steps) {
-    Trouble trouble = awaitPrecondition(step);
-    if (trouble.outcome == ExecutePlanResult::SUCCESS) trouble = carryOut(step);
-    if (trouble.outcome != ExecutePlanResult::SUCCESS) return trouble;
+  Trouble trouble = awaitServers();
+  for (std::size_t index = 0; index < plan_.steps.size(); ++index) {
+    if (trouble.outcome == ExecutePlanResult::SUCCESS) trouble = beforeStep(index);
+    if (trouble.outcome == ExecutePlanResult::SUCCESS) trouble = carryOut(plan_.steps[index]);
   }
-  return awaitGoal();
+  return trouble.outcome == ExecutePlanResult::SUCCESS ? atTheEnd() : trouble;
 }
 
-PlanRun::Trouble PlanRun::awaitPrecondition(const ActionDispatch& step) {
-  const GroundName action = groundOf(step);
-  Trouble trouble = awaitFinding(
-      [&](const WorldState& now) {
-        before_ = now;
-        return watch_->precondition(action, now);
-      },
-      step.action_id, ExecutePlanResult::PRECONDITION_FALSE, about(step) + " can't begin");
-  if (trouble.outcome == ExecutePlanResult::PRECONDITION_FALSE)
-    report(step, ActionFeedback::ACTION_PRECONDITION_FALSE, true);
-  return trouble;
-}
-
-PlanRun::Trouble PlanRun::awaitGoal() {
-  const std::vector<Literal> wanted = ros_interface::toLiterals(plan_.guaranteed, "guaranteed");
-  return awaitFinding([&](const WorldState& now) { return watch_->literals(wanted, now); }, -1,
-                      ExecutePlanResult::GOAL_NOT_REACHED, "the plan has come to its end, but");
-}
-
-// What tf tells may be a moment behind, so that only what stays so counts.
-PlanRun::Trouble PlanRun::awaitFinding(
-    const std::function<RobotWatch::Finding(const WorldState&)>& look, int step,
-    std::uint16_t outcome, const std::string& about) {
-  const auto patience = deadlineIn(options_.facts_patience);
-  while (true) {
-    if (!watch_ && step < 0) return {};  // everything is done
-    if (parts_.wait.interrupted()) {
-      return {ExecutePlanResult::CANCELED, step,
-              step < 0 ? "stopped at the end" : fmt::format("stopped before step {}", step), true};
+// All of them have the same time, so that many that are missing are found out as soon as one.
+PlanRun::Trouble PlanRun::awaitServers() {
+  const auto until = deadlineIn(options_.servers_patience);
+  const auto begin = Clock::now();
+  std::set<std::pair<StepKind, std::string>> seen;
+  const auto forEach = [&](const auto& treat) {
+    for (const ActionDispatch& step : plan_.steps) {
+      const StepRule& rule = *mapping_.find(step.name);
+      const Arguments arguments(step, mapping_.tables, mapping_.source);
+      treat(step, rule, arguments, rule.name.IsScalar() ? arguments.fill(rule.name) : "");
     }
-    if (!watch_) return {};
-    const auto now = world();
-    if (!now) continue;
-    const RobotWatch::Finding finding = look(*now);
-    if (finding.verdict == Verdict::Holds) return {};
-    if (finding.verdict == Verdict::NoModel) {
-      stopWatching(finding.reason);
-    } else if (Clock::now() >= patience) {
-      return {outcome, step, about + ": " + finding.reason, false};
+  };
+  forEach([&](const auto& /*step*/, const StepRule& rule, const Arguments& arguments,
+              const std::string& /*server*/) { runnerOf(rule.kind).approach(rule, arguments); });
+  Trouble trouble;
+  std::set<std::string> all_missing;
+  forEach([&](const ActionDispatch& step, const StepRule& rule, const Arguments& arguments,
+              const std::string& server) {
+    const bool is_new = seen.insert({rule.kind, server}).second;
+    if (!is_new || parts_.wait.interrupted()) return;
+    const std::chrono::duration<double> patience(rule.server_patience);
+    const std::string missing = runnerOf(rule.kind).missing(
+        rule, arguments,
+        std::min(until, begin + std::chrono::duration_cast<Clock::duration>(patience)));
+    if (missing.empty()) return;
+    all_missing.insert(missing);
+    if (trouble.outcome == ExecutePlanResult::SUCCESS) {
+      trouble = {ExecutePlanResult::STEP_FAILED, step.action_id,
+                 fmt::format("{} can't be carried out: {}", about(step), missing),
+                 !isAvoidable(rule, server)};
+      if (!trouble.final) facts_.failed(step, failureFacts(step, rule, mapping_));
     } else {
-      parts_.wait.pauseUntil(std::min(patience, Clock::now() + kLookPause));
+      trouble.reason += fmt::format("; nor can {}: {}", about(step), missing);
+    }
+  });
+  parts_.set_missing(all_missing);
+  if (!parts_.wait.interrupted()) return trouble;
+  return {ExecutePlanResult::CANCELED, 0, "stopped before step 0", true};
+}
+
+// A new plan can do without a server that the failure facts speak of as a whole. Else it would want
+// the same one for the next best step.
+bool PlanRun::isAvoidable(const StepRule& rule, const std::string& server) {
+  if (rule.failure_facts.empty() || rule.stop_on_failure || !rule.name.IsScalar()) return false;
+  const auto of_server = Arguments::namesIn(rule.name.Scalar());
+  for (const YAML::Node& fact : rule.failure_facts) {
+    for (const std::string& name : Arguments::namesIn(fact.Scalar())) {
+      const bool is_shared = std::count(of_server.begin(), of_server.end(), name) > 0;
+      if (!is_shared) return false;
     }
   }
+  return given_up_.insert(server).second;
+}
+
+PlanRun::Trouble PlanRun::beforeStep(std::size_t index) {
+  using Kind = FactsWatch::Look::Kind;
+  const FactsWatch::Look look = facts_.beforeStep(plan_, index);
+  const std::string stopped = fmt::format("stopped before step {}", index);
+  switch (look.kind) {
+    case Kind::Interrupted:
+      return {ExecutePlanResult::CANCELED, static_cast<int>(index), stopped, true};
+    case Kind::End:
+      return {ExecutePlanResult::GOAL_NOT_REACHED, -1,
+              fmt::format("{}: at the end of the plan {}", stopped, look.reason), false};
+    case Kind::Step:
+      break;
+    case Kind::Fine:
+      return {};
+  }
+  const ActionDispatch& step = plan_.steps[look.step];
+  report(step, ActionFeedback::ACTION_PRECONDITION_FALSE, true);
+  const std::string later = look.step > index ? stopped + ": " : "";
+  return {ExecutePlanResult::PRECONDITION_FALSE, step.action_id,
+          fmt::format("{}{} can't begin{}: {}", later, about(step), later.empty() ? "" : " then",
+                      look.reason),
+          false};
+}
+
+PlanRun::Trouble PlanRun::atTheEnd() {
+  using Kind = FactsWatch::Look::Kind;
+  const FactsWatch::Look look = facts_.atTheEnd(plan_);
+  if (look.kind == Kind::Fine) return {};
+  if (look.kind == Kind::Interrupted)
+    return {ExecutePlanResult::CANCELED, -1, "stopped at the end", true};
+  return {ExecutePlanResult::GOAL_NOT_REACHED, -1,
+          "the plan has come to its end, but: " + look.reason, false};
 }
 
 PlanRun::Trouble PlanRun::carryOut(const ActionDispatch& step) {
@@ -252,10 +186,15 @@ PlanRun::Trouble PlanRun::carryOut(const ActionDispatch& step) {
   for (int left = rule.retries; left >= 0; --left) {
     end = tryOnce(step, rule, left);
     if (end.kind == StepEnd::Kind::Succeeded) {
-      treatSuccess(step);
+      done_.push_back(stepOf(step));
+      facts_.succeeded(step);
       return {};
     }
     if (end.kind == StepEnd::Kind::Interrupted || left == 0) break;
+    if (!end.is_over) {
+      end.reason += "; it is not tried again, since that try is not over";
+      break;
+    }
     ROS_WARN("%s is tried again: %s", about(step).c_str(), end.reason.c_str());
     if (parts_.wait.pauseUntil(Clock::now() + kTryPause)) {
       end = {StepEnd::Kind::Interrupted, ""};
@@ -267,8 +206,9 @@ PlanRun::Trouble PlanRun::carryOut(const ActionDispatch& step) {
 
 StepEnd PlanRun::tryOnce(const ActionDispatch& step, const StepRule& rule, int retries_left) {
   const Arguments arguments(step, mapping_.tables, mapping_.source);
-  StepTry attempt{step,  rule, arguments, parts_.types, options_, timeoutIn(rule.timeout),
-                  false, {},   {}};
+  StepTry attempt{step,         rule,     arguments,
+                  parts_.types, options_, TimeLimit::after(rule.timeout, options_.clock),
+                  false,        {},       {}};
   attempt.is_to_fail = step.action_id == options_.failing_step && replans_ == 0;
   attempt.dispatch = [&] { dispatch(step, rule); };
   attempt.progress = [&](int status) { tell(step.action_id, status); };
@@ -291,12 +231,6 @@ StepEnd PlanRun::tryOnce(const ActionDispatch& step, const StepRule& rule, int r
   return end;
 }
 
-void PlanRun::treatSuccess(const ActionDispatch& step) {
-  done_.push_back(stepOf(step));
-  if (!watch_ || parts_.aligner.tell(watch_->effects(groundOf(step), before_))) return;
-  stopWatching("the aligner does not take what the step has changed");
-}
-
 PlanRun::Trouble PlanRun::treatFailure(const ActionDispatch& step, const StepRule& rule,
                                        const StepEnd& end) {
   const std::string because = end.reason.empty() ? "" : ": " + end.reason;
@@ -304,7 +238,7 @@ PlanRun::Trouble PlanRun::treatFailure(const ActionDispatch& step, const StepRul
     return {ExecutePlanResult::CANCELED, step.action_id,
             fmt::format("stopped during {}{}", about(step), because), true};
   }
-  if (watch_) tellFailure(step, rule);
+  facts_.failed(step, failureFacts(step, rule, mapping_));
   const bool again = ++failures_[textOf(step)] >= kMostFailures;
   const bool final = again || rule.stop_on_failure;
   const std::string more = again ? ", as it did before" : "";
@@ -317,43 +251,18 @@ PlanRun::Trouble PlanRun::treatFailure(const ActionDispatch& step, const StepRul
           fmt::format("{} failed{}{}", about(step), more, because), final};
 }
 
-void PlanRun::tellFailure(const ActionDispatch& step, const StepRule& rule) {
-  const std::vector<Literal> facts = failureFacts(step, rule);
-  for (const Literal& fact : facts) {
-    const RobotWatch::Finding finding = watch_->literals({fact}, before_);
-    if (finding.verdict == Verdict::NoModel)
-      ROS_WARN("%s: of the failure_facts one is no fact: %s", about(step).c_str(),
-               finding.reason.c_str());
-  }
-  if (!parts_.aligner.tell(facts)) stopWatching("the aligner does not take what the failure tells");
-}
-
-std::vector<Literal> PlanRun::failureFacts(const ActionDispatch& step, const StepRule& rule) const {
-  const Arguments arguments(step, mapping_.tables, mapping_.source);
-  std::vector<Literal> facts;
-  for (const YAML::Node& fact : rule.failure_facts) {
-    try {
-      facts.push_back(Literal::parse(arguments.fill(fact)));
-    } catch (const std::invalid_argument& error) {
-      YamlReader(mapping_.source).failAt(fact.Mark(), error.what());
-    }
-  }
-  return facts;
-}
-
 std::string PlanRun::planAnew(const Trouble& trouble) {
   if (trouble.final) return "no other plan is sought for it";
   if (replans_ >= options_.max_replans)
     return options_.max_replans == 0 ? "no new plan is wanted (max_replans)"
                                      : fmt::format("there were {} new plans already", replans_);
-  // Without the facts a new plan would begin where this one did.
-  if (!watch_) return "no new plan, since " + unwatched_;
+  std::string why_not = facts_.whyNoNewPlan();
+  if (!why_not.empty()) return "no new plan, since " + why_not;
   tell(trouble.step, ActionFeedback::ACTION_FAILED, trouble.reason + "; I plan anew");
-  std::string why_not;
   const auto result = parts_.aligner.planAnew(plan_.session_id, options_.cancel_patience, why_not);
   if (!result) return why_not;
   why_not = faultOf(result->plan);
-  if (why_not.empty()) why_not = mappingFault(result->plan);
+  if (why_not.empty()) why_not = mappingFault(result->plan, mapping_, parts_.types);
   if (!why_not.empty()) return "the new plan can't be run: " + why_not;
   ++replans_;
   plan_ = result->plan;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "goal_alignment/validation/execution.h"
@@ -25,7 +26,27 @@ std::string reasonOf(const Violation& violation) {
   return colon == std::string::npos ? violation.message : violation.message.substr(colon + 3);
 }
 
+void enter(std::vector<GroundName>& sorted, const GroundName& atom) {
+  const auto place = std::lower_bound(sorted.begin(), sorted.end(), atom);
+  if (place == sorted.end() || *place != atom) sorted.insert(place, atom);
+}
+
+void remove(std::vector<GroundName>& atoms, const GroundName& atom) {
+  atoms.erase(std::remove(atoms.begin(), atoms.end(), atom), atoms.end());
+}
+
 }  // namespace
+
+void WorldState::apply(const std::vector<Literal>& changes) {
+  for (const Literal& change : changes) {
+    remove(unknown, change.atom);
+    if (change.negated) {
+      remove(facts, change.atom);
+    } else {
+      enter(facts, change.atom);
+    }
+  }
+}
 
 bool RobotWatch::setState(const WorldState& world, bool unknown_hold, std::string& stranger) {
   model_.init.clear();
@@ -78,6 +99,72 @@ RobotWatch::Finding RobotWatch::literals(const std::vector<Literal>& wanted,
     }
   }
   return finding;
+}
+
+RobotWatch::Finding RobotWatch::rest(const std::vector<GroundName>& steps,
+                                     const std::vector<Literal>& wanted, const WorldState& world) {
+  const Finding finding = tryRest(steps, wanted, world, false);
+  if (finding.verdict != Verdict::False || world.unknown.empty()) return finding;
+  const Finding other = tryRest(steps, wanted, world, true);
+  return other.verdict == Verdict::Holds ? other : finding;
+}
+
+// What the steps need of the unknown atoms becomes so, of each once: if it is needed the other way
+// round as well, there is no world in which they succeed.
+RobotWatch::Finding RobotWatch::tryRest(const std::vector<GroundName>& steps,
+                                        const std::vector<Literal>& wanted, const WorldState& world,
+                                        bool unknown_hold) {
+  std::set<GroundName> open(world.unknown.begin(), world.unknown.end());
+  WorldState assumed{world.facts, {}};
+  if (unknown_hold) assumed.unknown = {open.begin(), open.end()};
+  while (true) {
+    std::string stranger;
+    if (!setState(assumed, true, stranger)) {
+      return {Verdict::NoModel,
+              fmt::format("the robot's model does not know the fact {}", stranger), 0};
+    }
+    const validation::Execution execution = validation::execute(model_, steps);
+    std::optional<Literal> needed;
+    Finding finding;
+    if (const auto& violation = execution.violation) {
+      const bool is_false = violation->kind == Violation::Kind::Precondition;
+      finding = {is_false ? Verdict::False : Verdict::NoModel, reasonOf(*violation),
+                 violation->step};
+      needed = violation->literal;
+    } else {
+      const auto missing = validation::unsatisfied(model_, execution.finalState(), wanted);
+      if (missing.empty()) return {};
+      needed = missing.front();
+      finding = {Verdict::False, fmt::format("{} would not hold", needed->text()), steps.size()};
+    }
+    if (!needed || open.erase(needed->atom) == 0) return finding;
+    remove(assumed.unknown, needed->atom);
+    if (!needed->negated) assumed.unknown.push_back(needed->atom);
+  }
+}
+
+std::vector<Literal> RobotWatch::certainEffects(const GroundName& action) const {
+  const auto id = model_.findSchema(action.name);
+  if (!id) return {};
+  const pddl::Schema& schema = model_.schemas[*id];
+  if (schema.parameters.size() != action.arguments.size()) return {};
+  std::vector<Literal> changes;
+  const auto enterAll = [&](const std::vector<pddl::LiftedAtom>& atoms, bool negated) {
+    for (const pddl::LiftedAtom& lifted : atoms) {
+      GroundName atom{model_.predicates[lifted.predicate].name.name, {}};
+      for (const pddl::Term& term : lifted.terms) {
+        atom.arguments.push_back(term.is_parameter ? action.arguments[term.index]
+                                                   : model_.objects[term.index].name.name);
+      }
+      const bool is_added = std::count(changes.begin(), changes.end(), Literal{atom, false}) > 0;
+      if (!is_added) changes.push_back({std::move(atom), negated});
+    }
+  };
+  enterAll(schema.add, false);
+  enterAll(schema.del, true);
+  std::sort(changes.begin(), changes.end());
+  changes.erase(std::unique(changes.begin(), changes.end()), changes.end());
+  return changes;
 }
 
 std::vector<Literal> RobotWatch::effects(const GroundName& action, const WorldState& world) {

@@ -13,6 +13,7 @@ namespace goal_alignment::execution {
 namespace {
 
 constexpr std::chrono::milliseconds kLookPause{50};
+constexpr std::chrono::seconds kLeastLook{1};
 constexpr std::chrono::seconds kPatienceAtTheEnd{2};
 constexpr int kMostCalls = 100;  // each is a thread and a socket
 constexpr std::size_t kLengthPrefix = sizeof(std::uint32_t);
@@ -43,6 +44,7 @@ struct ServiceCaller::Call {
   std::string md5;
   Bytes request;
   Clock::time_point look_until;
+  bool only_looks = false;
 
   std::mutex mutex;  // guards all below
   std::optional<Reply> reply;
@@ -72,6 +74,7 @@ bool ServiceCaller::Call::find() {
 
 ServiceCaller::Reply ServiceCaller::Call::make() {
   if (!find()) return {Reply::Kind::NoServer, {}};
+  if (only_looks) return {Reply::Kind::Answered, {}};
   // Persistent, since of other calls roscpp loses a response now and then (ros_comm issue 1976).
   ros::ServiceClientOptions options(service, md5, true, {});
   ros::ServiceClient client = node->serviceClient(options);
@@ -95,18 +98,12 @@ ServiceCaller::~ServiceCaller() {
   shared_->changed.wait_for(lock, kPatienceAtTheEnd, [this] { return shared_->calls == 0; });
 }
 
-ServiceCaller::Reply ServiceCaller::call(const std::string& service, const std::string& md5,
-                                         const Bytes& request, double patience,
-                                         Clock::time_point end, On give_up) {
-  auto call = std::make_shared<Call>();
+// False: too many are under way.
+bool ServiceCaller::start(const std::shared_ptr<Call>& call) {
   call->node = node_;
-  call->service = node_.resolveName(service);
-  call->md5 = md5;
-  call->request = request;
-  call->look_until = std::min(deadlineIn(patience), end);
   {
     const std::lock_guard<std::mutex> lock(shared_->mutex);
-    if (shared_->calls == kMostCalls) return {Reply::Kind::TooMany, {}};
+    if (shared_->calls == kMostCalls) return false;
     ++shared_->calls;
   }
   std::thread([shared = shared_, call] {
@@ -115,17 +112,47 @@ ServiceCaller::Reply ServiceCaller::call(const std::string& service, const std::
     --shared->calls;
     shared->changed.notify_all();
   }).detach();
+  return true;
+}
+
+ServiceCaller::Reply ServiceCaller::call(const std::string& service, const std::string& md5,
+                                         const Bytes& request, const Limits& limits, On give_up) {
+  auto call = std::make_shared<Call>();
+  call->service = node_.resolveName(service);
+  call->md5 = md5;
+  call->request = request;
+  call->look_until = std::min(deadlineIn(limits.patience), limits.end.wall());
+  if (!start(call)) return {Reply::Kind::TooMany, {}};
   const auto isAnswered = [&] {
     const std::lock_guard<std::mutex> lock(call->mutex);
     return call->reply.has_value();
   };
-  const auto woken = give_up == On::Interrupt ? wait_.waitUntil(end, isAnswered)
-                                              : wait_.settleUntil(end, isAnswered);
+  auto woken = give_up == On::Interrupt ? wait_.waitUntil(limits.end, isAnswered)
+                                        : wait_.settleUntil(limits.end, isAnswered);
+  if (woken == WaitPoint::Woken::Timeout && limits.cancel_patience > 0)
+    woken = wait_.waitUntil(deadlineIn(limits.cancel_patience), isAnswered);
   const std::lock_guard<std::mutex> lock(call->mutex);
   if (call->reply) return *call->reply;
   call->abandoned = true;
   return {woken == WaitPoint::Woken::Interrupt ? Reply::Kind::Interrupted : Reply::Kind::TimedOut,
           {}};
+}
+
+bool ServiceCaller::isOffered(const std::string& service, Clock::time_point until) {
+  auto call = std::make_shared<Call>();
+  call->service = node_.resolveName(service);
+  call->look_until = until;
+  call->only_looks = true;
+  if (!start(call)) return false;
+  const auto isAnswered = [&] {
+    const std::lock_guard<std::mutex> lock(call->mutex);
+    return call->reply.has_value();
+  };
+  // It looks once in any case.
+  wait_.waitUntil(std::max(until, Clock::now() + kLeastLook), isAnswered);
+  const std::lock_guard<std::mutex> lock(call->mutex);
+  call->abandoned = true;
+  return call->reply && call->reply->kind == Reply::Kind::Answered;
 }
 
 }  // namespace goal_alignment::execution

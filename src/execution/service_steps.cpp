@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "goal_alignment/execution/graph_view.h"
 #include "goal_alignment/execution/steps.h"
 #include "goal_alignment/ros_interface/stamp.h"
 #include "success.h"
@@ -41,6 +42,15 @@ StepEnd checkSuccess(const StepTry& attempt, const MessageDefinition& definition
   return {};
 }
 
+std::string ServiceSteps::missing(const StepRule& rule, const Arguments& arguments,
+                                  Clock::time_point until) {
+  const std::string name = arguments.fill(rule.name);
+  if (services_.isOffered(name, until)) return "";
+  const auto graph = GraphView::now();
+  return fmt::format("nobody offers the service {}{}", name,
+                     graph ? graph->nearService(services_.resolved(name)) : "");
+}
+
 StepEnd ServiceSteps::run(const StepTry& attempt) {
   using Kind = ServiceCaller::Reply::Kind;
   const ServiceDefinition& type = *attempt.rule.service;
@@ -49,7 +59,8 @@ StepEnd ServiceSteps::run(const StepTry& attempt) {
                                ros_interface::stampNow());
   attempt.dispatch();
   const ServiceCaller::Reply reply =
-      services_.call(name, type.md5, request, attempt.rule.server_patience, attempt.end);
+      services_.call(name, type.md5, request,
+                     {attempt.rule.server_patience, attempt.options.cancel_patience, attempt.end});
   switch (reply.kind) {
     case Kind::Answered:
       return checkSuccess(attempt, type.response, reply.response, name);
@@ -62,8 +73,8 @@ StepEnd ServiceSteps::run(const StepTry& attempt) {
     case Kind::TooMany:
       return {StepEnd::Kind::Failed,
               fmt::format("{} is not called: too many calls of services never ended", name)};
-    case Kind::TimedOut:
-      return {StepEnd::Kind::TimedOut, name};
+    case Kind::TimedOut:  // the call can't be withdrawn
+      return {StepEnd::Kind::TimedOut, name, false};
     case Kind::Interrupted:
       break;
   }

@@ -79,20 +79,17 @@ StepEnd SimulatedSteps::run(const StepTry& attempt) {
     return {StepEnd::Kind::Failed, error.what()};
   }
   attempt.dispatch();
-  const auto begin = Clock::now();
+  Timer timer(attempt.options.clock);
   const double seconds = attempt.rule.duration.value_or(attempt.options.step_duration);
-  const auto end = deadlineIn(fails ? seconds * kDoneWhenItFails : seconds);
-  const std::chrono::duration<double> tick(1 / attempt.options.frame_rate);
-  while (true) {
-    const auto next = Clock::now() + std::chrono::duration_cast<Clock::duration>(tick);
-    if (wait_.pauseUntil(std::min({next, end, attempt.end})))
+  const double end = fails ? seconds * kDoneWhenItFails : seconds;
+  const double tick = 1 / attempt.options.frame_rate;
+  for (double passed = 0; passed < end; passed = timer.seconds()) {
+    if (wait_.pauseUntil(attempt.end.capped(deadlineIn(std::min(tick, end - passed)))))
       return {StepEnd::Kind::Interrupted, ""};
-    const auto now = Clock::now();
-    const std::chrono::duration<double> passed = std::min(now, end) - begin;
-    if (seconds > 0) stage_.glide(std::min(passed.count() / seconds, 1.0));
-    if (now >= end) break;
-    if (now >= attempt.end) return {StepEnd::Kind::TimedOut, ""};
+    if (seconds > 0) stage_.glide(std::min(timer.seconds(), end) / seconds);
+    if (attempt.end.isOver() && timer.seconds() < end) return {StepEnd::Kind::TimedOut, ""};
   }
+  if (wait_.interrupted()) return {StepEnd::Kind::Interrupted, ""};
   if (fails) return {StepEnd::Kind::Failed, "simulated"};
   stage_.finish();
   return {};

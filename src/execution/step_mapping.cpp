@@ -91,8 +91,10 @@ class MappingReader : private YamlReader {
     const YAML::Node actions = root["actions"];
     if (isGiven(actions)) checkMap(actions, "a map from actions to how they are carried out", {});
     for (const auto& entry : actions) {
-      mapping_.rules[toLower(entry.first.Scalar())] =
+      StepRule& found = mapping_.rules[toLower(entry.first.Scalar())];
+      found =
           rule(entry.second, mapping_.fallback.value_or(StepRule{}), mapping_.fallback.has_value());
+      found.key.reset(entry.first);
     }
     readFrames(root["frames"]);
     readFailures(root["failures"]);

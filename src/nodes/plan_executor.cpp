@@ -3,5 +3,5 @@
 #include "executor_main.h"
 
 int main(int argc, char** argv) {
-  goal_alignment::nodes::runExecutor(argc, argv, "plan_executor", std::nullopt);
+  return goal_alignment::nodes::runExecutor(argc, argv, "plan_executor", std::nullopt);
 }

@@ -4,5 +4,5 @@
 
 int main(int argc, char** argv) {
   using goal_alignment::execution::StepKind;
-  goal_alignment::nodes::runExecutor(argc, argv, "simulated_executor", StepKind::Simulated);
+  return goal_alignment::nodes::runExecutor(argc, argv, "simulated_executor", StepKind::Simulated);
 }

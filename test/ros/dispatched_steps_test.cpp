@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // plan_executor with components as ROSPlan has them.
 #include <atomic>
+#include <csignal>
 
+#include "graph.h"
 #include "steps.h"
 
 namespace goal_alignment::test {
@@ -24,8 +26,21 @@ class FakeComponent {
       if (succeeds_when_cancelled)
         say(*dispatch, ActionFeedback::ACTION_SUCCEEDED_TO_GOAL_STATE, 0);
     }
-    if (dispatch->name != "wash") return;
+    if (dispatch->name != "wash") {
+      // Once it is withdrawn it is done after all.
+      if (is_slow) takeUp(*dispatch);
+      return;
+    }
     ++dispatched;
+    if (is_slow) return;
+    // Only now the try before has come to its end.
+    if (is_late && dispatched == 2)
+      return say(*dispatch, ActionFeedback::ACTION_SUCCEEDED_TO_GOAL_STATE, 0);
+    takeUp(*dispatch);
+  }
+
+  void takeUp(const ActionDispatch& taken) {
+    const ActionDispatch* const dispatch = &taken;
     say(*dispatch, ActionFeedback::ACTION_ENABLED, 0);
     // Of others this is not to be believed.
     say(*dispatch, ActionFeedback::ACTION_FAILED, 5);
@@ -45,6 +60,8 @@ class FakeComponent {
 
   std::atomic<int> status{ActionFeedback::ACTION_SUCCEEDED_TO_GOAL_STATE};
   std::atomic<bool> succeeds_when_cancelled{false};
+  std::atomic<bool> is_late{false};
+  std::atomic<bool> is_slow{false};
   std::atomic<int> dispatched{0};
   std::atomic<int> cancelled{-1};
 
@@ -86,9 +103,72 @@ TEST_F(Steps, dispatchedAreCancelledAsRosplanKnowsIt) {
 }
 
 TEST_F(Steps, dispatchedThatNobodyTakesUpFail) {
+  ros::param::set("/plan_executor/cancel_patience", 0.2);
   setMapping("default: {kind: dispatch, server_patience: 0.3}");
   expectFailure(run(planOf({{"fly", {}}})), ExecutePlanResult::STEP_FAILED,
                 "nobody takes up the dispatched action fly");
+  ros::param::del("/plan_executor/cancel_patience");
+}
+
+// A component in a process of its own, which takes everything up and never ends.
+const char* const kTireless = R"python(
+import rospy
+from goal_alignment.msg import ActionDispatch, ActionFeedback
+rospy.init_node('tireless')
+say = rospy.Publisher('/action_feedback', ActionFeedback, queue_size=10)
+def hear(step):
+    say.publish(ActionFeedback(action_id=step.action_id, plan_id=step.plan_id, status=1))
+hearer = rospy.Subscriber('/action_dispatch', ActionDispatch, hear)
+rospy.spin()
+)python";
+
+TEST_F(Steps, dispatchedOfWhichTheComponentDiesFailThoughOthersListen) {
+  const Program component("/usr/bin/python3", {"-c", kTireless}, {}, folder_.path() + "/tireless");
+  ASSERT_TRUE(eventually([] {
+    return reaches("/tireless", "/plan_executor", "/action_dispatch") &&
+           reaches("/plan_executor", "/tireless", "/action_feedback");
+  })) << textOf(folder_.path() + "/tireless");
+  setMapping("default: {kind: dispatch, timeout: 0, server_patience: 20}");
+  const Plan plan = planOf({{"wash", {}}});
+  send(plan);
+  ASSERT_TRUE(feedback_.waitFor([&](const ActionFeedback& said) {
+    return said.plan_id == plan.plan_id && said.status == ActionFeedback::ACTION_ENABLED;
+  }));
+  component.signal(SIGKILL);
+  expectFailure(awaitEnd(), ExecutePlanResult::STEP_FAILED, "the component of wash is gone");
+}
+
+TEST_F(Steps, dispatchedTakeNoLateWordOfTheTryBeforeForTheirOwn) {
+  FakeComponent component(node_);
+  ASSERT_TRUE(eventually([&] { return component.isConnected(); }));
+  component.status = -1;
+  ros::param::set("/plan_executor/cancel_patience", 0.1);
+  setMapping("default: {kind: dispatch, timeout: 1, retries: 1, server_patience: 20}");
+  component.is_late = true;
+  const ExecutePlanResult result = run(planOf({{"wash", {}}}));
+  EXPECT_EQ(component.dispatched, 2);
+  EXPECT_EQ(component.cancelled, 0) << "the first try was withdrawn";
+  EXPECT_EQ(result.outcome, ExecutePlanResult::STEP_TIMED_OUT) << result.reason;
+  ros::param::del("/plan_executor/cancel_patience");
+}
+
+TEST_F(Steps, dispatchedThatAreTakenUpTooLateAreNotDoneTwice) {
+  FakeComponent component(node_);
+  ASSERT_TRUE(eventually([&] { return component.isConnected(); }));
+  component.is_slow = true;
+  setMapping("default: {kind: dispatch, retries: 3, server_patience: 0.5}");
+  ros::param::set("/plan_executor/cancel_patience", 60.0);
+  EXPECT_EQ(run(planOf({{"wash", {}}})).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
+  EXPECT_EQ(component.dispatched, 1);
+  ros::param::del("/plan_executor/cancel_patience");
+}
+
+TEST_F(Steps, dispatchedNameStatusesThatNobodyKnows) {
+  FakeComponent component(node_);
+  ASSERT_TRUE(eventually([&] { return component.isConnected(); }));
+  component.status = 42;
+  setMapping("default: {kind: dispatch, server_patience: 20}");
+  expectFailure(run(planOf({{"wash", {}}})), ExecutePlanResult::STEP_FAILED, "the status 42");
 }
 
 }  // namespace

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // simulated_executor: plans run step by step, through execute_plan alone.
 #include <actionlib/client/simple_action_client.h>
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+
+#include <csignal>
 
 #include "goal_alignment/ActionDispatch.h"
 #include "goal_alignment/ActionFeedback.h"
 #include "goal_alignment/ExecutePlanAction.h"
 #include "graph.h"
+#include "program.h"
 #include "scenario.h"
 
 namespace goal_alignment::test {
@@ -15,6 +19,10 @@ namespace {
 
 using State = actionlib::SimpleClientGoalState;
 using Client = ActionClient<ExecutePlanAction>;
+
+bool offersOther(const std::string& node) {
+  return reachesUs(node, "/other/execute_plan/status");
+}
 
 class Executor : public testing::Test {
  protected:
@@ -170,6 +178,47 @@ TEST_F(Executor, doesNotActOnThePublishedPlan) {
   for (const ActionDispatch& dispatch : dispatches_.all()) {
     EXPECT_NE(dispatch.plan_id, published.plan.plan_id);
   }
+}
+
+TEST_F(Executor, staysTheOnlyOneInItsNamespace) {
+  const TemporaryFolder folder;
+  const std::string output = folder.path() + "/second";
+  Program second(NODE_FOLDER "/plan_executor", {"__name:=second"}, {}, output);
+  EXPECT_GT(second.exitStatus(), 0);
+  EXPECT_NE(textOf(output).find("/simulated_executor offers /execute_plan already"),
+            std::string::npos)
+      << textOf(output);
+  EXPECT_EQ(run(planOf(1)).outcome, ExecutePlanResult::SUCCESS);
+}
+
+TEST_F(Executor, isReplacedWhereAnEarlierOneWasKilled) {
+  const TemporaryFolder folder;
+  const Topic<actionlib_msgs::GoalStatusArray> status(node_, "/other/execute_plan/status");
+  const auto start = [&](const std::string& name) {
+    return std::make_unique<Program>(
+        NODE_FOLDER "/plan_executor", std::vector<std::string>{"__ns:=/other", "__name:=" + name},
+        std::map<std::string, std::string>{}, folder.path() + "/" + name);
+  };
+  auto first = start("first");
+  ASSERT_TRUE(eventually([] { return offersOther("/other/first"); }));
+  first->signal(SIGKILL);  // the master still knows it
+  ASSERT_NE(first->exitStatus(), -1);
+  const auto second = start("second");
+  EXPECT_TRUE(eventually([] { return offersOther("/other/second"); }))
+      << textOf(folder.path() + "/second");
+}
+
+TEST_F(Executor, tellsDiagnosticsOfItsPlans) {
+  Topic<diagnostic_msgs::DiagnosticArray> topic(node_, "/diagnostics");
+  ros::param::set("/simulated_executor/failing_step", 0);
+  EXPECT_EQ(run(planOf(1)).outcome, ExecutePlanResult::STEP_FAILED);
+  EXPECT_TRUE(topic.waitFor([](const diagnostic_msgs::DiagnosticArray& shown) {
+    return std::any_of(shown.status.begin(), shown.status.end(), [](const auto& status) {
+      return status.name == "simulated_executor: execution" &&
+             status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
+             status.message == "the last plan failed";
+    });
+  }));
 }
 
 }  // namespace

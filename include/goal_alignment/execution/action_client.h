@@ -31,13 +31,14 @@ class ActionClient {
     std::uint8_t status = 0;  ///< of actionlib_msgs/GoalStatus
     std::string text;
     std::optional<Bytes> result;
+    bool is_over = true;  ///< false: it was cancelled, and its server is still at it
   };
 
   /// How long things may take, in seconds, and the end of the whole.
   struct Limits {
     double patience = 0;         ///< until the server is there, or is lost; at least 0.5
     double cancel_patience = 0;  ///< until a cancelled goal has ended
-    Clock::time_point end;
+    TimeLimit end;
   };
 
   /// What is published on an action's topic `goal`.

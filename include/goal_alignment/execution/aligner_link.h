@@ -23,7 +23,7 @@ class AlignerLink {
     bool known = false;
     std::string message;  ///< why not
     std::string session_id;
-    WorldState world;
+    WorldState world;  ///< both lists sorted
   };
 
   AlignerLink(ros::NodeHandle node, const std::string& aligner, ServiceCaller& services,
@@ -34,6 +34,9 @@ class AlignerLink {
   /// These are so now. What is refused, as another source tells it better, is left out. False: the
   /// aligner does not answer.
   bool tell(const std::vector<Literal>& changes);
+
+  /// Another one when the aligner was started anew; "": it is not there.
+  std::string life() const;
 
   /// A new plan under the session's answers; people may be asked. Nothing: `why_not` says why.
   std::optional<AlignResult> planAnew(const std::string& session_id, double cancel_patience,
@@ -47,6 +50,10 @@ class AlignerLink {
 
  private:
   bool set(const std::vector<Literal>& changes, std::string& refusal);
+  template <typename Service>
+  std::optional<typename Service::Response> ask(const std::string& name,
+                                                const typename Service::Request& request,
+                                                ServiceCaller::Reply::Kind& kind);
 
   ros::NodeHandle node_;
   std::string aligner_;
@@ -54,6 +61,7 @@ class AlignerLink {
   WaitPoint& wait_;
   ActionClient align_;
   unsigned goals_sent_ = 0;
+  bool hangs_ = false;  // it did not answer in time, and is not waited for as long again
 };
 
 }  // namespace goal_alignment::execution

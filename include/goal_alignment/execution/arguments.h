@@ -29,6 +29,9 @@ class Arguments {
 
   const std::string& source() const { return source_; }
 
+  /// What stands in braces in the text: `to`, `pose:to`; as far as it can be read.
+  static std::vector<std::string> namesIn(const std::string& text);
+
  private:
   std::string object(const std::string& key, const YAML::Node& node) const;
   YAML::Node entry(const std::string& name, const YAML::Node& node) const;

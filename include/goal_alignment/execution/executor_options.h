@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "goal_alignment/execution/time_limit.h"
+
 namespace goal_alignment::execution {
 
 /// Parameters of plan_executor and simulated_executor, read anew for every plan. README.md's table
@@ -21,6 +23,8 @@ struct ExecutorOptions {
   double facts_patience = 2;  ///< seconds, 0 … 3600, for which a condition may be false or unknown
   int max_replans = 3;        ///< 0 … 1000 for a goal
   double cancel_patience = 5;  ///< seconds, 0 … 3600, that a cancelled step may take to stop
+  ClockKind clock = ClockKind::Wall;  ///< of time-outs and durations of steps
+  double servers_patience = 3;  ///< seconds, 0 … 3600, for which all that steps need may be missing
 
   // Of simulated steps.
   double step_duration = 0.5;      ///< seconds, 0 … 3600, of steps whose rule says nothing

@@ -13,7 +13,10 @@
 
 #include "goal_alignment/ExecutePlanAction.h"
 #include "goal_alignment/execution/aligner_link.h"
+#include "goal_alignment/execution/dispatch_listeners.h"
+#include "goal_alignment/execution/executor_diagnostics.h"
 #include "goal_alignment/execution/executor_options.h"
+#include "goal_alignment/execution/facts_ledger.h"
 #include "goal_alignment/execution/message_definition.h"
 #include "goal_alignment/execution/plan_run.h"
 #include "goal_alignment/execution/service_caller.h"
@@ -50,15 +53,22 @@ class PlanExecutor {
   void takeGoal(Goal goal);
   void cancelGoal(const Goal& goal);
   void work();
+  void beIdle();
   void run(Goal goal);
   void conclude(Goal goal, ExecutePlanResult result);
+  static void log(const ExecutePlanResult& result);
   void interrupt(const std::string& why);  // needs mutex_
   StepMapping mappingOf(const ExecutorOptions& options);
   void complainAtTheStart();
   void warnAboutUnknown(const ExecutorOptions& options);
+  void warnAboutMisfits(const ExecutorOptions& options);
+  void warnAboutServers();
+  void warnOnce(const std::string& what);
+  void follow(const Plan& plan, const ExecutePlanFeedback& feedback);
 
   ros::NodeHandle private_node_;
   std::optional<StepKind> default_kind_;
+  DispatchListeners listeners_;
   ros::Publisher dispatches_;
   ros::Publisher feedback_;
   WaitPoint wait_;
@@ -67,11 +77,15 @@ class PlanExecutor {
   MessageTypes types_{installedDefinition};
   ServiceCaller services_;
   AlignerLink aligner_;
+  FactsLedger ledger_{aligner_};
   ActionSteps action_steps_;
   ServiceSteps service_steps_;
   DispatchedSteps dispatched_steps_;
   SimulatedSteps simulated_steps_;
   std::set<std::string> warned_about_;
+  StepMapping first_mapping_;  // of the start, until its servers were looked for
+  Clock::time_point look_for_servers_ = Clock::time_point::max();
+  ExecutorDiagnostics diagnostics_;
 
   std::mutex mutex_;  // guards all below
   std::condition_variable changed_;

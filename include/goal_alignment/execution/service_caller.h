@@ -39,10 +39,21 @@ class ServiceCaller {
   /// What an interrupt does to a call: one that is short and has to be made is not abandoned.
   enum class On { Interrupt, End };
 
-  /// `patience`: seconds for which the service may be absent. `end`: of the whole. `give_up`: on
-  /// what it is abandoned.
+  /// How long things may take, in seconds, and the end of the whole.
+  struct Limits {
+    double patience = 0;         ///< for which the service may be absent
+    double cancel_patience = 0;  ///< behind the end, in which an answer still counts
+    TimeLimit end;
+  };
+
+  /// `give_up`: on what it is abandoned.
   Reply call(const std::string& service, const std::string& md5, const Bytes& request,
-             double patience, Clock::time_point end, On give_up = On::Interrupt);
+             const Limits& limits, On give_up = On::Interrupt);
+
+  /// Waits until somebody offers it; false: nobody does, or an interrupt came.
+  bool isOffered(const std::string& service, Clock::time_point until);
+
+  std::string resolved(const std::string& service) const { return node_.resolveName(service); }
 
   /// The same for a type that is known here; nothing: no answer. `kind`, if given, says why.
   template <typename Service>
@@ -56,7 +67,7 @@ class ServiceCaller {
     serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
     serialization::serialize(out, request);
     Reply reply =
-        call(service, ros::service_traits::md5sum<Service>(), bytes, patience, end, give_up);
+        call(service, ros::service_traits::md5sum<Service>(), bytes, {patience, 0, end}, give_up);
     if (kind != nullptr) *kind = reply.kind;
     if (reply.kind != Reply::Kind::Answered) return std::nullopt;
     typename Service::Response response;
@@ -69,6 +80,8 @@ class ServiceCaller {
  private:
   struct Call;
   struct Shared;
+
+  bool start(const std::shared_ptr<Call>& call);
 
   ros::NodeHandle node_;
   std::shared_ptr<Shared> shared_;  // outlives this object while a call does

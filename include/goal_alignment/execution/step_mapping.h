@@ -35,6 +35,7 @@ struct StepRule {
   static constexpr int kAlways = -1;
 
   StepKind kind = StepKind::Dispatch;
+  YAML::Node key;     ///< the action, as the file names it; of `default` null
   YAML::Node name;    ///< of the action's server or the service; text with braces
   YAML::Node fields;  ///< of the goal or the request
   std::optional<ActionDefinition> action;    ///< of StepKind::Action

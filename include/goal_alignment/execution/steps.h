@@ -10,12 +10,14 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "goal_alignment/ActionDispatch.h"
 #include "goal_alignment/ActionFeedback.h"
 #include "goal_alignment/common/random_source.h"
 #include "goal_alignment/execution/action_client.h"
+#include "goal_alignment/execution/dispatch_listeners.h"
 #include "goal_alignment/execution/executor_options.h"
 #include "goal_alignment/execution/frame_stage.h"
 #include "goal_alignment/execution/service_caller.h"
@@ -28,7 +30,8 @@ namespace goal_alignment::execution {
 struct StepEnd {
   enum class Kind { Succeeded, Failed, TimedOut, Interrupted };
   Kind kind = Kind::Succeeded;
-  std::string reason;  ///< for people, where it did not succeed
+  std::string reason;   ///< for people, where it did not succeed
+  bool is_over = true;  ///< false: whoever carries it out is still at it
 };
 
 /// One try of a step.
@@ -38,7 +41,7 @@ struct StepTry {
   const Arguments& arguments;
   MessageTypes& types;
   const ExecutorOptions& options;
-  Clock::time_point end;              ///< of the try's time
+  TimeLimit end;                      ///< of the try's time
   bool is_to_fail = false;            ///< simulated: the parameter failing_step says so
   std::function<void()> dispatch;     ///< publishes the step
   std::function<void(int)> progress;  ///< tells who sent the plan a status of ActionFeedback
@@ -50,6 +53,15 @@ class StepRunner {
  public:
   virtual ~StepRunner() = default;
   virtual StepEnd run(const StepTry& attempt) = 0;
+
+  /// Begins to link up with who carries such a step out.
+  virtual void approach(const StepRule& /*rule*/, const Arguments& /*arguments*/) {}
+  /// Waits until who carries it out is there, after approach(); else, for people, who is missing.
+  /// An interrupt ends the wait, whatever is said then.
+  virtual std::string missing(const StepRule& /*rule*/, const Arguments& /*arguments*/,
+                              Clock::time_point /*until*/) {
+    return "";
+  }
 };
 
 /// StepKind::Action.
@@ -57,6 +69,9 @@ class ActionSteps : public StepRunner {
  public:
   ActionSteps(ros::NodeHandle node, WaitPoint& wait) : node_(std::move(node)), wait_(wait) {}
   StepEnd run(const StepTry& attempt) override;
+  void approach(const StepRule& rule, const Arguments& arguments) override;
+  std::string missing(const StepRule& rule, const Arguments& arguments,
+                      Clock::time_point until) override;
 
  private:
   ActionClient& clientOf(const std::string& name, const ActionDefinition& type);
@@ -72,6 +87,8 @@ class ServiceSteps : public StepRunner {
  public:
   explicit ServiceSteps(ServiceCaller& services) : services_(services) {}
   StepEnd run(const StepTry& attempt) override;
+  std::string missing(const StepRule& rule, const Arguments& arguments,
+                      Clock::time_point until) override;
 
  private:
   ServiceCaller& services_;
@@ -80,22 +97,36 @@ class ServiceSteps : public StepRunner {
 /// StepKind::Dispatch: others hear the dispatched step and answer on action_feedback.
 class DispatchedSteps : public StepRunner {
  public:
-  DispatchedSteps(ros::NodeHandle node, ros::Publisher dispatches, WaitPoint& wait);
+  DispatchedSteps(ros::NodeHandle node, ros::Publisher dispatches, DispatchListeners& listeners,
+                  WaitPoint& wait);
   StepEnd run(const StepTry& attempt) override;
+  std::string missing(const StepRule& rule, const Arguments& arguments,
+                      Clock::time_point until) override;
 
  private:
   void hear(const ros::MessageEvent<const ActionFeedback>& event);
+  // Both need mutex_.
+  bool isAbout(const ActionFeedback& feedback, const std::string& from);
+  bool mayBeLate(const ActionFeedback& feedback) const;
   void expect(const ActionDispatch* step);
-  StepEnd await(const StepTry& attempt, Clock::time_point patience);
+  StepEnd await(const StepTry& attempt, const TimeLimit& patience);
+  StepEnd withdraw(const StepTry& attempt, StepEnd end);
   std::optional<ActionFeedback> heard() const;
+  bool isOrphaned() const;
   StepEnd treat(const StepTry& attempt, const ActionFeedback& feedback) const;
   void cancel(const ActionDispatch& step);
 
   ros::Publisher dispatches_;
+  DispatchListeners& listeners_;
   WaitPoint& wait_;
-  mutable std::mutex mutex_;  // guards the two below
+  mutable std::mutex mutex_;  // guards all below
   const ActionDispatch* expected_ = nullptr;
   std::optional<ActionFeedback> last_;  // about the expected one
+  std::string performer_;               // the node that said so
+  /// Steps, with their plans, of whose tries nobody said that they have ended: of the next try of
+  /// such a step an end counts only when it was taken up.
+  std::map<int, int> unfinished_;
+  std::set<int> warned_about_;  // plans of which somebody told about others
   ros::Subscriber feedback_;
 };
 

@@ -6,22 +6,11 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "goal_alignment/execution/time_limit.h"
+
 namespace goal_alignment::execution {
 
-using Clock = std::chrono::steady_clock;
-
-/// So many seconds from now.
-inline Clock::time_point deadlineIn(double seconds) {
-  return Clock::now() +
-         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-}
-
-/// The end of a time-out that begins now; 0: there is none.
-inline Clock::time_point timeoutIn(double seconds) {
-  return seconds > 0 ? deadlineIn(seconds) : Clock::time_point::max();
-}
-
-/// Where the thread that runs a plan waits, in wall time: until what it waits for holds, an
+/// Where the thread that runs a plan waits: until what it waits for holds, an
 /// interrupt comes, or the time is over. Thread-safe.
 class WaitPoint {
  public:
@@ -54,18 +43,18 @@ class WaitPoint {
 
   /// `holds` is called without any lock held.
   template <typename Predicate>
-  Woken waitUntil(Clock::time_point end, Predicate holds) {
+  Woken waitUntil(const TimeLimit& end, Predicate holds) {
     return wait(end, holds, true);
   }
 
   /// The same, deaf to interrupts: for what ends soon anyway.
   template <typename Predicate>
-  Woken settleUntil(Clock::time_point end, Predicate holds) {
+  Woken settleUntil(const TimeLimit& end, Predicate holds) {
     return wait(end, holds, false);
   }
 
   /// Until the time is over or an interrupt comes; true: it came.
-  bool pauseUntil(Clock::time_point end) {
+  bool pauseUntil(const TimeLimit& end) {
     return waitUntil(end, [] { return false; }) == Woken::Interrupt;
   }
 
@@ -73,14 +62,13 @@ class WaitPoint {
   static constexpr std::chrono::milliseconds kPoll{20};
 
   template <typename Predicate>
-  Woken wait(Clock::time_point end, Predicate& holds, bool interruptible) {
+  Woken wait(const TimeLimit& end, Predicate& holds, bool interruptible) {
     while (true) {
       if (holds()) return Woken::Holds;
       std::unique_lock<std::mutex> lock(mutex_);
       if (interruptible && interrupted_) return Woken::Interrupt;
-      const auto now = Clock::now();
-      if (now >= end) return Woken::Timeout;
-      changed_.wait_until(lock, std::min(end, now + kPoll));
+      if (end.isOver()) return Woken::Timeout;
+      changed_.wait_until(lock, std::min(end.wall(), Clock::now() + kPoll));
     }
   }
 

@@ -20,6 +20,7 @@ TEST(ExecutorOptions, haveDefaults) {
   EXPECT_TRUE(options.watch);
   EXPECT_FALSE(options.auto_execute);
   EXPECT_EQ(options.max_replans, 3);
+  EXPECT_EQ(options.clock, ClockKind::Wall);
 }
 
 TEST(ExecutorOptions, nameTheKeyThatIsWrong) {
@@ -30,6 +31,7 @@ TEST(ExecutorOptions, nameTheKeyThatIsWrong) {
   EXPECT_EQ(faultWith("watch", "no"), "parameter /e/watch: expected true or false");
   EXPECT_EQ(faultWith("max_replans", 1.5),
             "parameter /e/max_replans: expected a whole number from 0 to 1000");
+  EXPECT_EQ(faultWith("clock", "sundial").substr(0, 19), "parameter /e/clock:");
   for (const char* name : {"", "my-robot", "~aligner", "1st"}) {
     EXPECT_EQ(faultWith("aligner", name),
               "parameter /e/aligner: expected the name of the aligner's node");

@@ -76,5 +76,58 @@ TEST_F(Watch, knowsWhetherThePromisedHolds) {
   EXPECT_EQ(watch_.literals(wanted, {{}, {atom("dark den")}}).verdict, Verdict::False);
 }
 
+TEST_F(Watch, foreseesWhatTheRestOfAPlanComesTo) {
+  const auto rest = [&](const WorldState& world, const std::vector<Literal>& wanted) {
+    return watch_.rest({atom("search hall"), atom("go hall den"), atom("search den")}, wanted,
+                       world);
+  };
+  const std::vector<Literal> wanted = {{atom("has den"), false}, {atom("wet hall"), false}};
+  EXPECT_EQ(rest({{atom("at hall")}, {}}, wanted).verdict, Verdict::Holds);
+  const auto blocked = rest({{atom("at hall"), atom("dark den")}, {}}, wanted);
+  EXPECT_EQ(blocked.verdict, Verdict::False);
+  EXPECT_EQ(blocked.step, 1U);
+  EXPECT_EQ(blocked.reason, "the precondition (not (dark den)) is false");
+  const auto dry = rest({{atom("at hall")}, {}}, {{atom("wet cup"), false}});
+  EXPECT_EQ(dry.verdict, Verdict::False);
+  EXPECT_EQ(dry.step, 3U) << "the end";
+  EXPECT_EQ(dry.reason, "(wet cup) would not hold");
+  EXPECT_EQ(watch_.rest({atom("fly")}, {}, {}).verdict, Verdict::NoModel);
+}
+
+TEST_F(Watch, believesOfTheUnknownWhatTheRestNeeds) {
+  const auto verdictOf = [&](const WorldState& world, const std::vector<Literal>& wanted) {
+    return watch_.rest({atom("go hall den"), atom("go den cup")}, wanted, world).verdict;
+  };
+  EXPECT_EQ(verdictOf({{}, {atom("at hall"), atom("dark den"), atom("dark cup")}}, {}),
+            Verdict::Holds)
+      << "one true, the others false";
+  EXPECT_EQ(verdictOf({{atom("at hall")}, {atom("has hall")}}, {{atom("wet hall"), false}}),
+            Verdict::Holds)
+      << "it decides what a step changes";
+  EXPECT_EQ(verdictOf({{atom("at hall")}, {atom("dark den")}}, {{atom("dark den"), false}}),
+            Verdict::False)
+      << "not both";
+  EXPECT_EQ(verdictOf({{}, {atom("dark den")}}, {}), Verdict::False);
+}
+
+TEST_F(Watch, tellsWhatASuccessChangesInAnyCase) {
+  std::string text;
+  for (const Literal& change : watch_.certainEffects(atom("go hall den")))
+    text += change.text();
+  EXPECT_EQ(text, "(at den)(not (at hall))");
+  text.clear();
+  for (const Literal& change : watch_.certainEffects(atom("go hall hall")))
+    text += change.text();
+  EXPECT_EQ(text, "(at hall)") << "what is added stays";
+  EXPECT_TRUE(watch_.certainEffects(atom("fly hall")).empty());
+  EXPECT_TRUE(watch_.certainEffects(atom("go hall")).empty());
+}
+
+TEST(WorldState, changesInOrder) {
+  WorldState world{{atom("at hall"), atom("wet cup")}, {atom("dark den")}};
+  world.apply({{atom("dark den"), false}, {atom("at hall"), true}, {atom("wet cup"), false}});
+  EXPECT_TRUE((world == WorldState{{atom("dark den"), atom("wet cup")}, {}}));
+}
+
 }  // namespace
 }  // namespace goal_alignment::execution
