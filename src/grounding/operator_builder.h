@@ -62,7 +62,7 @@ class OperatorBuilder {
   void writeComplement(task::FactId complement, const Touch& by, const task::Operator& drafted,
                        task::Operator& op);
   task::Cost cost(std::size_t instantiation) const;
-  task::Cost valueOf(const Schema& action, const pddl::Atom& function) const;
+  task::Cost valueOf(const pddl::Schema& action, const pddl::Atom& function) const;
   void account(const task::Operator& op);
   void pollLimits();
 
