@@ -169,10 +169,8 @@ actions: {go: {kind: simulated, duration: 2}}
   const ExecutePlanResult result = PlanRuns::awaitEnd();
   EXPECT_EQ(result.outcome, ExecutePlanResult::SUCCESS) << result.reason;
   EXPECT_EQ(result.replans, 1U);
-  EXPECT_EQ(
-      doneBy(result),
-      "(fetch hall) (go hall corridor) (go corridor study) (go study corridor) (fetch corridor)"
-      " (go corridor study) (deliver study)");
+  EXPECT_EQ(doneBy(result),
+            "(fetch hall) (go hall corridor) (fetch corridor) (go corridor study) (deliver study)");
   EXPECT_TRUE(feedback_.waitFor([&](const ActionFeedback& shown) {
     return shown.plan_id == plan.plan_id && shown.action_id == 3 &&
            shown.status == ActionFeedback::ACTION_PRECONDITION_FALSE;

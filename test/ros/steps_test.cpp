@@ -182,12 +182,12 @@ TEST_F(Steps, areNotBegunWithoutAServer) {
 
 TEST_F(Steps, areNotBegunWhereALaterOneHasNoServer) {
   FakeBase base(node_);
-  setMapping(std::string(kGo) + R"(
+  setMapping(std::string(kGo) + R"yaml(
   grasp: {kind: action, name: /move_bsae, type: move_base_msgs/MoveBase, server_patience: 0.3,
           failure_facts: ["(not (has {what}))"]
 }
   open: {kind: service, name: /plan_executor/get_logers, type: std_srvs/Trigger, server_patience: 0.3}
-)");
+)yaml");
   const Plan plan = planOf({kGoToKitchen, {"grasp", {{"what", "cup"}}}, {"open", {}}});
   const ExecutePlanResult result = run(plan);
   EXPECT_EQ(result.outcome, ExecutePlanResult::STEP_FAILED);
@@ -203,23 +203,23 @@ TEST_F(Steps, areNotBegunWhereALaterOneHasNoServer) {
   EXPECT_TRUE(base.goals().empty());
   for (const ActionDispatch& dispatch : dispatches_.all())
     EXPECT_NE(dispatch.plan_id, plan.plan_id) << "nothing was dispatched";
-  }
+}
 
-  TEST_F(Steps, thatDoNotStopWhenCancelledAreNotTriedAgain) {
-    ros::param::set("/plan_executor/cancel_patience", 0.2);
-    FakeBase base(node_);
-    setMapping(kGo);
-    ASSERT_EQ(run(planOf({kGoToKitchen})).outcome, ExecutePlanResult::SUCCESS) << "now it is found";
-    base.mood = FakeBase::Mood::IgnoreCancel;
-    setMapping(std::string(kGo) + "    timeout: 0.5\n    retries: 3\n");
-    expectFailure(run(planOf({kGoToKitchen})), ExecutePlanResult::STEP_TIMED_OUT,
-                  "it is not tried again, since that try is not over");
-    EXPECT_EQ(base.goals().size(), 2U);
-    ros::param::del("/plan_executor/cancel_patience");
-  }
+TEST_F(Steps, thatDoNotStopWhenCancelledAreNotTriedAgain) {
+  ros::param::set("/plan_executor/cancel_patience", 0.2);
+  FakeBase base(node_);
+  setMapping(kGo);
+  ASSERT_EQ(run(planOf({kGoToKitchen})).outcome, ExecutePlanResult::SUCCESS) << "now it is found";
+  base.mood = FakeBase::Mood::IgnoreCancel;
+  setMapping(std::string(kGo) + "    timeout: 0.5\n    retries: 3\n");
+  expectFailure(run(planOf({kGoToKitchen})), ExecutePlanResult::STEP_TIMED_OUT,
+                "it is not tried again, since that try is not over");
+  EXPECT_EQ(base.goals().size(), 2U);
+  ros::param::del("/plan_executor/cancel_patience");
+}
 
-  // The server is a simulated_executor: its goal has lists of messages within messages.
-  const char* const kDelegate = R"(
+// The server is a simulated_executor: its goal has lists of messages within messages.
+const char* const kDelegate = R"(
 actions:
   work:
     kind: action
@@ -230,117 +230,117 @@ actions:
     server_patience: 1
 )";
 
-  class OwnServer : public Steps {
-   protected:
-    void startServer(const std::string& seconds) {
-      server_ = std::make_unique<Program>(
-          NODE_FOLDER "/simulated_executor",
-          std::vector<std::string>{"__ns:=/helper", "_step_duration:=" + seconds, "_watch:=false"},
-          std::map<std::string, std::string>{}, folder_.path() + "/helper.txt");
-      ASSERT_TRUE(eventually(
-          [] { return reachesUs("/helper/simulated_executor", "/helper/action_dispatch"); }));
-    }
-
-    Topic<ActionDispatch> helper_{node_, "/helper/action_dispatch"};
-    std::unique_ptr<Program> server_;
-    const Plan plan_ = planOf({{"work", {{"task", "wash"}, {"who", "ann"}}}});
-  };
-
-  TEST_F(OwnServer, isGivenNestedListsAndItsResultIsLookedAt) {
-    startServer("0.0");
-    std::string mapping = kDelegate;
-    mapping.replace(mapping.find("server_patience: 1"), 18, "server_patience: 20");
-    setMapping(mapping);
-    EXPECT_EQ(run(plan_).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
-    const auto step =
-        helper_.waitFor([](const ActionDispatch& shown) { return shown.name == "wash"; });
-    ASSERT_TRUE(step);
-    ASSERT_EQ(step->parameters.size(), 1U);
-    EXPECT_EQ(step->parameters[0].value, "ann");
-    mapping.replace(mapping.find("outcome: 1"), 10, "outcome: 2");
-    setMapping(mapping);
-    expectFailure(run(plan_), ExecutePlanResult::STEP_FAILED, "answered with outcome 1");
+class OwnServer : public Steps {
+ protected:
+  void startServer(const std::string& seconds) {
+    server_ = std::make_unique<Program>(
+        NODE_FOLDER "/simulated_executor",
+        std::vector<std::string>{"__ns:=/helper", "_step_duration:=" + seconds, "_watch:=false"},
+        std::map<std::string, std::string>{}, folder_.path() + "/helper.txt");
+    ASSERT_TRUE(eventually(
+        [] { return reachesUs("/helper/simulated_executor", "/helper/action_dispatch"); }));
   }
 
-  TEST_F(OwnServer, isFoundToHaveDied) {
-    startServer("3600.0");
-    std::string mapping = kDelegate;
-    setMapping(mapping + "    timeout: 0\n");
-    // As soon as it can be reached.
-    ASSERT_TRUE(eventually([&] {
-      send(plan_);
-      return eventually([&] { return helper_.last() || execute_.getState().isDone(); }) &&
-             !execute_.getState().isDone();
-    }));
-    server_->signal(SIGKILL);
-    expectFailure(awaitEnd(), ExecutePlanResult::STEP_FAILED, "went away");
-  }
+  Topic<ActionDispatch> helper_{node_, "/helper/action_dispatch"};
+  std::unique_ptr<Program> server_;
+  const Plan plan_ = planOf({{"work", {{"task", "wash"}, {"who", "ann"}}}});
+};
 
-  TEST_F(Steps, ofAPlanThatIsDisplacedAreCancelledBeforeTheNextBegins) {
-    FakeBase base(node_);
-    base.mood = FakeBase::Mood::Wait;
-    setMapping(kGo);
-    send(planOf({kGoToKitchen}));
-    ASSERT_TRUE(eventually([&] { return base.goals().size() == 1; }));
-    base.mood = FakeBase::Mood::Succeed;
-    ExecuteClient other(node_, "/execute_plan");
-    ASSERT_TRUE(eventually([&] { return other.isServerConnected(); }));
-    ExecutePlanGoal goal;
-    goal.plan = planOf({kGoToKitchen});
-    other.sendGoal(goal);
-    EXPECT_EQ(awaitEnd().outcome, ExecutePlanResult::CANCELED);
-    EXPECT_EQ(awaitEnd().reason.find("displaced by a newer plan: stopped during step 0"), 0U)
-        << awaitEnd().reason;
-    EXPECT_TRUE(eventually([&] { return other.getState().isDone(); }));
-    EXPECT_EQ(other.getState(), State::SUCCEEDED);
-    EXPECT_EQ(base.cancels, kCancels);
-  }
+TEST_F(OwnServer, isGivenNestedListsAndItsResultIsLookedAt) {
+  startServer("0.0");
+  std::string mapping = kDelegate;
+  mapping.replace(mapping.find("server_patience: 1"), 18, "server_patience: 20");
+  setMapping(mapping);
+  EXPECT_EQ(run(plan_).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
+  const auto step =
+      helper_.waitFor([](const ActionDispatch& shown) { return shown.name == "wash"; });
+  ASSERT_TRUE(step);
+  ASSERT_EQ(step->parameters.size(), 1U);
+  EXPECT_EQ(step->parameters[0].value, "ann");
+  mapping.replace(mapping.find("outcome: 1"), 10, "outcome: 2");
+  setMapping(mapping);
+  expectFailure(run(plan_), ExecutePlanResult::STEP_FAILED, "answered with outcome 1");
+}
 
-  TEST_F(Steps, areRefusedWhereTheMappingIsFaultyOrSilent) {
-    setMapping("actions:\n  go: {kind: fly}\n");
-    ExecutePlanResult result = run(planOf({kGoToKitchen}));
-    EXPECT_EQ(execute_.getState(), State::REJECTED);
-    EXPECT_EQ(result.outcome, ExecutePlanResult::INVALID_PLAN);
-    EXPECT_NE(result.reason.find(".yaml:2:14: expected one of action"), std::string::npos)
-        << result.reason;
-    setMapping(kGo);
-    result = run(planOf({{"dance", {}}}));
-    EXPECT_EQ(result.reason.find("nothing says how to carry out step 0 (dance)"), 0U)
-        << result.reason;
-    result = run(planOf({{"go", {{"from", "hall"}, {"to", "attic"}}}}));
-    EXPECT_NE(result.reason.find("table 'pose' has no entry for 'attic'"), std::string::npos)
-        << result.reason;
-  }
+TEST_F(OwnServer, isFoundToHaveDied) {
+  startServer("3600.0");
+  std::string mapping = kDelegate;
+  setMapping(mapping + "    timeout: 0\n");
+  // As soon as it can be reached.
+  ASSERT_TRUE(eventually([&] {
+    send(plan_);
+    return eventually([&] { return helper_.last() || execute_.getState().isDone(); }) &&
+           !execute_.getState().isDone();
+  }));
+  server_->signal(SIGKILL);
+  expectFailure(awaitEnd(), ExecutePlanResult::STEP_FAILED, "went away");
+}
 
-  TEST_F(Steps, simulatedMoveFramesSmoothly) {
-    Topic<tf2_msgs::TFMessage> tf(node_, "/tf");
-    ASSERT_TRUE(eventually([&] { return tf.isHeard(); }));
-    setMapping(R"(
+TEST_F(Steps, ofAPlanThatIsDisplacedAreCancelledBeforeTheNextBegins) {
+  FakeBase base(node_);
+  base.mood = FakeBase::Mood::Wait;
+  setMapping(kGo);
+  send(planOf({kGoToKitchen}));
+  ASSERT_TRUE(eventually([&] { return base.goals().size() == 1; }));
+  base.mood = FakeBase::Mood::Succeed;
+  ExecuteClient other(node_, "/execute_plan");
+  ASSERT_TRUE(eventually([&] { return other.isServerConnected(); }));
+  ExecutePlanGoal goal;
+  goal.plan = planOf({kGoToKitchen});
+  other.sendGoal(goal);
+  EXPECT_EQ(awaitEnd().outcome, ExecutePlanResult::CANCELED);
+  EXPECT_EQ(awaitEnd().reason.find("displaced by a newer plan: stopped during step 0"), 0U)
+      << awaitEnd().reason;
+  EXPECT_TRUE(eventually([&] { return other.getState().isDone(); }));
+  EXPECT_EQ(other.getState(), State::SUCCEEDED);
+  EXPECT_EQ(base.cancels, kCancels);
+}
+
+TEST_F(Steps, areRefusedWhereTheMappingIsFaultyOrSilent) {
+  setMapping("actions:\n  go: {kind: fly}\n");
+  ExecutePlanResult result = run(planOf({kGoToKitchen}));
+  EXPECT_EQ(execute_.getState(), State::REJECTED);
+  EXPECT_EQ(result.outcome, ExecutePlanResult::INVALID_PLAN);
+  EXPECT_NE(result.reason.find(".yaml:2:14: expected one of action"), std::string::npos)
+      << result.reason;
+  setMapping(kGo);
+  result = run(planOf({{"dance", {}}}));
+  EXPECT_EQ(result.reason.find("nothing says how to carry out step 0 (dance)"), 0U)
+      << result.reason;
+  result = run(planOf({{"go", {{"from", "hall"}, {"to", "attic"}}}}));
+  EXPECT_NE(result.reason.find("table 'pose' has no entry for 'attic'"), std::string::npos)
+      << result.reason;
+}
+
+TEST_F(Steps, simulatedMoveFramesSmoothly) {
+  Topic<tf2_msgs::TFMessage> tf(node_, "/tf");
+  ASSERT_TRUE(eventually([&] { return tf.isHeard(); }));
+  setMapping(R"(
 tables: {pose: {kitchen: [4, 0, 0]}}
 actions:
   go: {kind: simulated, duration: 3, moves: [{frame: base_link, to: "{pose:to}"}]}
   take: {kind: simulated, duration: 0, moves: [{frame: "{what}", parent: base_link, to: [0.5, 0, 1, 0]}]}
 frames: {base_link: {parent: map}, cup: {parent: map, pose: [5, 0, 0]}}
 )");
-    const ExecutePlanResult result = run(planOf({kGoToKitchen, {"take", {{"what", "cup"}}}}));
-    EXPECT_EQ(result.outcome, ExecutePlanResult::SUCCESS) << result.reason;
-    const auto isShown = [&](const std::string& frame, const std::string& parent, double low,
-                             double high) {
-      return tf
-          .waitFor([&](const tf2_msgs::TFMessage& message) {
-            return std::any_of(message.transforms.begin(), message.transforms.end(),
-                               [&](const auto& shown) {
-                                 const double x = shown.transform.translation.x;
-                                 return shown.child_frame_id == frame &&
-                                        shown.header.frame_id == parent && x >= low && x <= high;
-                               });
-          })
-          .has_value();
-    };
-    EXPECT_TRUE(isShown("base_link", "map", 0.01, 3.99)) << "on its way";
-    EXPECT_TRUE(isShown("base_link", "map", 4, 4));
-    EXPECT_TRUE(isShown("cup", "base_link", 0.5, 0.5));
-  }
+  const ExecutePlanResult result = run(planOf({kGoToKitchen, {"take", {{"what", "cup"}}}}));
+  EXPECT_EQ(result.outcome, ExecutePlanResult::SUCCESS) << result.reason;
+  const auto isShown = [&](const std::string& frame, const std::string& parent, double low,
+                           double high) {
+    return tf
+        .waitFor([&](const tf2_msgs::TFMessage& message) {
+          return std::any_of(message.transforms.begin(), message.transforms.end(),
+                             [&](const auto& shown) {
+                               const double x = shown.transform.translation.x;
+                               return shown.child_frame_id == frame &&
+                                      shown.header.frame_id == parent && x >= low && x <= high;
+                             });
+        })
+        .has_value();
+  };
+  EXPECT_TRUE(isShown("base_link", "map", 0.01, 3.99)) << "on its way";
+  EXPECT_TRUE(isShown("base_link", "map", 4, 4));
+  EXPECT_TRUE(isShown("cup", "base_link", 0.5, 0.5));
+}
 
-  }  // namespace
-  }  // namespace goal_alignment::test
+}  // namespace
+}  // namespace goal_alignment::test
