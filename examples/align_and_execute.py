@@ -26,6 +26,7 @@ if not all(words):
     sys.exit(__doc__)
 task = HumanTask(goal=[Fluent(name=name, args=args) for name, *args in words[:1]],
                  plan=[PlanStep(name=name, args=args) for name, *args in words[1:]])
+# A bare AlignGoal() has max_questions 0: nobody would be asked anything.
 aligned = result_of('goal_alignment/align', AlignAction, AlignGoal(task=task, max_questions=-1))
 if aligned.outcome != AlignResult.SUCCESS:
     sys.exit(aligned.message)

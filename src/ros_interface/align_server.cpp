@@ -2,14 +2,20 @@
 #include "goal_alignment/ros_interface/align_server.h"
 
 #include <fmt/format.h>
+#include <ros/console.h>
 
+#include <exception>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "goal_alignment/ros_interface/node_constants.h"
 #include "goal_alignment/ros_interface/stamp.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
+
+using Standing = PlanWatch::Standing;
 
 AlignResult canceledBeforeItBegan() {
   AlignResult result;
@@ -19,10 +25,26 @@ AlignResult canceledBeforeItBegan() {
   return result;
 }
 
+TaskQueue<std::shared_ptr<GoalTicket>>::Entry entryFor(const std::shared_ptr<GoalTicket>& ticket) {
+  TaskQueue<std::shared_ptr<GoalTicket>>::Entry entry;
+  entry.shown.goal_id = ticket->id();
+  entry.shown.task_id = ticket->goal().task.task_id;
+  entry.shown.person = ticket->goal().task.person;
+  entry.shown.since = stampNow();
+  entry.identity = ticket->identity();
+  entry.ticket = ticket;
+  return entry;
+}
+
 }  // namespace
 
-AlignServer::AlignServer(const ros::NodeHandle& private_node, AlignmentRunner& runner)
+AlignServer::AlignServer(const ros::NodeHandle& private_node, AlignmentRunner& runner,
+                         Announcer& announcer, const PlanWatch& watch,
+                         RefusesIfBusy refuses_if_busy)
     : runner_(runner),
+      announcer_(announcer),
+      watch_(watch),
+      refuses_if_busy_(std::move(refuses_if_busy)),
       server_(
           private_node, kAlignAction,
           [this](GoalTicket::Handle handle) { takeGoal(std::move(handle)); },
@@ -37,23 +59,41 @@ AlignServer::~AlignServer() {
 }
 
 void AlignServer::endGoals() {
-  Ticket next;
-  Ticket current;
+  std::vector<Ticket> ended;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stop_ = true;
-    next = std::exchange(next_, nullptr);
-    current = current_;
+    for (Queue::Entry& entry : queue_.takeAll([](const Queue::Entry&) { return true; }))
+      ended.push_back(std::move(entry.ticket));
+    if (next_) ended.push_back(std::exchange(next_, nullptr));
+    if (current_) ended.push_back(current_);
   }
   changed_.notify_all();
-  if (next) end(next, "the node shuts down");
-  if (current) end(current, "the node shuts down");
+  for (const Ticket& ticket : ended)
+    end(ticket, "the node shuts down");
   if (solver_.joinable()) solver_.join();
 }
 
 void AlignServer::nudge() {
   { const std::lock_guard<std::mutex> lock(mutex_); }  // so that no wait begins in between
   changed_.notify_all();
+}
+
+// What waited until it was known whether a plan is carried out, and what that plan is for.
+void AlignServer::lookAtExecutor() {
+  std::vector<Queue::Entry> refused;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!queue_.empty() && watch_.standing() == Standing::Busy) {
+      refused = queue_.takeAll([this](const Queue::Entry& entry) {
+        return entry.refused_if_busy || watch_.carriesOut(entry.identity);
+      });
+    }
+    if (!refused.empty()) showQueue();
+  }
+  changed_.notify_all();
+  for (const Queue::Entry& entry : refused)
+    refuse(entry.ticket, watch_.story());
 }
 
 void AlignServer::submit(const AlignGoal& goal, const std::string& origin) {
@@ -66,29 +106,80 @@ void AlignServer::submit(const AlignGoal& goal, const std::string& origin) {
   server_.inject(goal, fmt::format("{}-{}-{}", origin, stampNow().toNSec(), number));
 }
 
+bool AlignServer::isUnderWay(const AlignGoal& goal) const {
+  const std::string identity = identityOf(goal);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const Ticket& ticket : {current_, next_}) {
+    if (ticket && !ticket->ended() && ticket->identity() == identity) return true;
+  }
+  return queue_.holds(identity) || watch_.carriesOut(identity);
+}
+
+bool AlignServer::mustWait(const GoalTicket& ticket) const {
+  if (ticket.continuesSession()) return false;
+  // Between a plan and the first that waits for its end nobody slips in.
+  return watch_.standing() != Standing::Idle || (!queue_.empty() && !current_ && !next_);
+}
+
 void AlignServer::takeGoal(GoalTicket::Handle handle) {
   const auto ticket = std::make_shared<GoalTicket>(std::move(handle));
   Ticket waiting;
   Ticket running;
+  bool must_wait = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (stop_ || ticket->cancelOvertookIt()) {
       waiting = ticket;
+    } else if (mustWait(*ticket)) {
+      must_wait = true;
     } else {
       waiting = std::exchange(next_, ticket);
       running = current_;
     }
   }
+  if (must_wait) return queueUp(ticket);
   changed_.notify_all();
   if (waiting) end(waiting, waiting == ticket ? "canceled" : "displaced by a newer goal");
   if (running) end(running, "displaced by a newer goal");
+}
+
+void AlignServer::queueUp(const Ticket& ticket) {
+  const bool refuses_if_busy = refuses_if_busy_();  // asks the parameter server
+  std::string why_not;
+  std::optional<Queue::Entry> replaced;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool is_busy = watch_.standing() == Standing::Busy;
+    if (is_busy && (refuses_if_busy || watch_.carriesOut(ticket->identity()))) {
+      why_not = watch_.story();
+    } else if (queue_.isFull() && !queue_.holds(ticket->identity())) {
+      why_not = fmt::format("{}, and {} tasks wait already", watch_.story(), Queue::kMost);
+    } else {
+      Queue::Entry entry = entryFor(ticket);
+      entry.refused_if_busy = refuses_if_busy;
+      replaced = queue_.add(std::move(entry));
+      showQueue();
+    }
+  }
+  changed_.notify_all();
+  if (!why_not.empty()) return refuse(ticket, why_not);
+  if (replaced) end(replaced->ticket, "displaced by a newer goal");
+  announcer_.tell(
+      fmt::format("task {}waits: {}",
+                  ticket->goal().task.task_id.empty() ? "" : ticket->goal().task.task_id + " ",
+                  watch_.story()));
 }
 
 void AlignServer::cancelGoal(const GoalTicket::Handle& handle) {
   Ticket ticket;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (next_ && next_->isFor(handle)) {
+    auto waiting =
+        queue_.takeAll([&](const Queue::Entry& entry) { return entry.ticket->isFor(handle); });
+    if (!waiting.empty()) {
+      ticket = std::move(waiting.front().ticket);
+      showQueue();
+    } else if (next_ && next_->isFor(handle)) {
       ticket = std::exchange(next_, nullptr);
     } else if (current_ && current_->isFor(handle)) {
       ticket = current_;
@@ -106,22 +197,77 @@ void AlignServer::end(const Ticket& ticket, const std::string& reason) {
   ticket->conclude(result);
 }
 
+// ~state stays that of the plan under way.
+void AlignServer::refuse(const Ticket& ticket, const std::string& reason) {
+  if (!ticket->claim()) return;
+  AlignResult result = ticket->interim();
+  result.outcome = AlignResult::BUSY;
+  result.message = reason;
+  const std::string& task_id = ticket->goal().task.task_id;
+  announcer_.warn(fmt::format("task {}refused ({}): {}", task_id.empty() ? "" : task_id + " ",
+                              result.outcome, reason));
+  ticket->conclude(result);
+}
+
+void AlignServer::showQueue() {
+  announcer_.showWaiting(queue_.shown());
+}
+
 void AlignServer::work() {
   while (true) {
     Ticket ticket;
     {
       std::unique_lock<std::mutex> lock(mutex_);
-      changed_.wait(lock, [this] { return stop_ || next_ || runner_.isAskedToSuppose(); });
+      ticket = current_ = awaitNext(lock);
       if (stop_) return;
-      ticket = current_ = std::exchange(next_, nullptr);
     }
     if (!ticket) {
       runner_.answerSupposition();
       continue;
     }
-    runner_.run(*ticket);
+    run(*ticket);
     const std::lock_guard<std::mutex> lock(mutex_);
     current_.reset();
+  }
+}
+
+// Null: it is asked to suppose something, or to end.
+AlignServer::Ticket AlignServer::awaitNext(std::unique_lock<std::mutex>& lock) {
+  while (!stop_) {
+    if (Ticket ticket = takeNext()) return ticket;
+    if (runner_.isAskedToSuppose()) break;
+    const auto until = queue_.empty() ? PlanWatch::Clock::time_point::max() : watch_.nextChange();
+    // wait_until() with the largest time point overflows in some standard libraries.
+    if (until == PlanWatch::Clock::time_point::max()) {
+      changed_.wait(lock);
+    } else {
+      changed_.wait_until(lock, until);
+    }
+  }
+  return nullptr;
+}
+
+AlignServer::Ticket AlignServer::takeNext() {
+  // A plan may have gone out since it came.
+  if (next_ && !next_->continuesSession() && watch_.standing() != Standing::Idle) {
+    queue_.addFirst(entryFor(std::exchange(next_, nullptr)));
+    showQueue();
+  }
+  if (next_) return std::exchange(next_, nullptr);
+  if (watch_.standing() != Standing::Idle) return nullptr;
+  const std::optional<Queue::Entry> first = queue_.takeFirst();
+  if (!first) return nullptr;
+  showQueue();
+  return first->ticket;
+}
+
+// Whatever goes wrong with one goal, the thread is there for the next; a ticket that has no result
+// by then gets one when it goes.
+void AlignServer::run(GoalTicket& ticket) {
+  try {
+    runner_.run(ticket);
+  } catch (const std::exception& error) {
+    ROS_ERROR("a goal broke off: %s", error.what());
   }
 }
 

@@ -17,8 +17,8 @@
 namespace goal_alignment::ros_interface {
 namespace {
 
-constexpr std::uint32_t kTaskQueueSize = 10;
-constexpr std::uint32_t kExplainThreads = 2;  // each may wait for a reason to come up
+constexpr std::uint32_t kStatusQueueSize = 100;  // a goal may end within the message after it began
+constexpr std::uint32_t kExplainThreads = 2;     // each may wait for a reason to come up
 
 std::string stateFolder() {
   return rosHome() + "/" + kStateFolder;
@@ -75,9 +75,13 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
       ask_human_(
           node, [this](const Answer::Request& request) { return submit(request); },
           [this](const std::string& complaint) { announcer_.tell(complaint); }),
-      runner_(private_node, {announcer_, bridge_, ask_human_, journal_, facts_, tf_, explainer_}),
-      align_(private_node, runner_),
-      tasks_(node.subscribe(kHumanTaskTopic, kTaskQueueSize, &AlignerNode::takeTask, this)),
+      runner_(private_node,
+              {announcer_, bridge_, ask_human_, journal_, facts_, tf_, explainer_, plan_watch_}),
+      align_(private_node, runner_, announcer_, plan_watch_, [this] { return refusesIfBusy(); }),
+      tasks_(node, stateFolder(), align_, announcer_,
+             [this](const HumanTask& task) { return goalFor(task); }),
+      executor_(
+          node.subscribe(kExecutorStatusTopic, kStatusQueueSize, &AlignerNode::hearExecutor, this)),
       answer_service_(private_node.advertiseService(kAnswerService, &AlignerNode::answer, this)),
       revise_service_(
           private_node.advertiseService(kReviseAnswerService, &AlignerNode::reviseAnswer, this)),
@@ -118,13 +122,26 @@ void AlignerNode::checkParameters() {
   }
 }
 
-void AlignerNode::takeTask(const HumanTask::ConstPtr& task) {
+AlignGoal AlignerNode::goalFor(const HumanTask& task) const {
   AlignGoal goal;
-  goal.task = *task;
+  goal.task = task;
   goal.source = AlignGoal::PARAMS;
   goal.max_questions = -1;
   goal.unsure_policy = AlignGoal::KEEP;
-  align_.submit(goal, kHumanTaskTopic);
+  return goal;
+}
+
+void AlignerNode::hearExecutor(const actionlib_msgs::GoalStatusArray::ConstPtr& goals) {
+  plan_watch_.hear(goals->status_list);
+  align_.lookAtExecutor();
+}
+
+bool AlignerNode::refusesIfBusy() const {
+  try {
+    return NodeOptions::read(private_node_).busy_policy == BusyPolicy::Refuse;
+  } catch (const ParameterError&) {
+    return false;  // the goal is refused for it when its turn comes, and then says so
+  }
 }
 
 session::Receipt AlignerNode::submit(const Answer::Request& request) {
@@ -157,7 +174,10 @@ bool AlignerNode::reviseAnswer(Answer::Request& request, Answer::Response& respo
 }
 
 bool AlignerNode::getState(GetState::Request& /*request*/, GetState::Response& response) {
+  // In this order, so that none can be missed in between.
+  const QuestionBridge::Unshown unshown = bridge_.unshown();
   response.state = announcer_.state();
+  unshown.addTo(response.state);
   return true;
 }
 

@@ -246,7 +246,9 @@ void AlignmentRunner::beginPatience() {
   if (kept_.options.ask_timeout > 0) {
     const std::chrono::duration<double> timeout(kept_.options.ask_timeout);
     open_until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
-    open_.expires = stampNow() + ros::Duration(kept_.options.ask_timeout);
+    // People live in wall time, also where the robot's clock is a simulated one.
+    const ros::WallTime expires = ros::WallTime::now() + ros::WallDuration(timeout.count());
+    open_.expires = {expires.sec, expires.nsec};
   }
 }
 

@@ -2,6 +2,8 @@
 // What the runner says about the session under way.
 #include <fmt/format.h>
 
+#include <chrono>
+#include <optional>
 #include <utility>
 
 #include "goal_alignment/ros_interface/alignment_runner.h"
@@ -21,6 +23,7 @@ void AlignmentRunner::report(GoalTicket& ticket, const session::Snapshot& now,
   ticket.setInterim(figures(now));
   const AlignmentState state = stateMessage(now, message);
   announcer_.publish(state);
+  bridge_.markShown();
   shows_open_ = now.state == session::State::AwaitingAnswer;
   AlignFeedback feedback;
   feedback.phase = state.phase;
@@ -65,9 +68,14 @@ std::optional<Explain::Response> AlignmentRunner::suppose(const std::vector<Lite
     response.text = supposed.refusal;
     return response;
   }
+  const auto began = Clock::now();
   const session::Consequence consequence =
       kept_.session->whatIf(supposed.wanted, supposed.not_wanted, kSupposeSeconds);
-  if (consequence.kind == session::Consequence::Kind::Unknown) return std::nullopt;
+  if (consequence.kind == session::Consequence::Kind::Unknown) {
+    // What is given up before its time is out does not become known by being tried again.
+    const std::chrono::duration<double> took = Clock::now() - began;
+    return took.count() < kSupposeSeconds ? std::make_optional(notKnownYet()) : std::nullopt;
+  }
   return explainConsequence(supposed, consequence, kept_.session->snapshot(), kept_.phrases);
 }
 

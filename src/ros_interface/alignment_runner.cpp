@@ -62,7 +62,8 @@ AlignmentRunner::AlignmentRunner(ros::NodeHandle private_node, const Parts& part
       journal_(parts.journal),
       facts_(parts.facts),
       tf_(parts.tf),
-      explainer_(parts.explainer) {}
+      explainer_(parts.explainer),
+      plan_watch_(parts.plan_watch) {}
 
 bool AlignmentRunner::stop(GoalTicket& ticket) {
   {
@@ -94,20 +95,24 @@ void AlignmentRunner::run(GoalTicket& ticket) {
     const std::lock_guard<std::mutex> lock(running_mutex_);
     running_ = &ticket;
   }
-  ticket.accept();
-  announcer_.tell(storyOf(ticket.goal()));
   try {
+    ticket.accept();
+    announcer_.tell(storyOf(ticket.goal()));
     loop(ticket);
     conclude(ticket);
   } catch (const std::exception& error) {
-    // The session makes outcomes of all its errors, so this one is ours.
-    ROS_ERROR("the alignment broke off: %s", error.what());
-    closeQuestion();
-    bridge_.endSession();
-    refuse(ticket, session::outcomeOf(error));
+    breakOff(ticket, error);
   }
   const std::lock_guard<std::mutex> lock(running_mutex_);
   running_ = nullptr;
+}
+
+// The session makes outcomes of all its errors, so this one is ours.
+void AlignmentRunner::breakOff(GoalTicket& ticket, const std::exception& error) {
+  ROS_ERROR("the alignment broke off: %s", error.what());
+  closeQuestion();
+  bridge_.endSession();
+  refuse(ticket, session::outcomeOf(error));
 }
 
 void AlignmentRunner::prepare(const AlignGoal& goal) {
@@ -139,6 +144,7 @@ void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
   kept.id = boost::uuids::to_string(boost::uuids::random_generator()());
   kept.person = goal.task.person;
   kept.task_id = goal.task.task_id;
+  kept.identity = identityOf(goal);
   try {
     kept.phrases = phrasesOf(options.phrases);
   } catch (const std::exception& error) {
@@ -268,14 +274,27 @@ bool AlignmentRunner::claimOutcome(GoalTicket& ticket) {
 
 void AlignmentRunner::conclude(GoalTicket& ticket) {
   const bool ours = claimOutcome(ticket);
-  session::Session& session = *kept_.session;
   session::Outcome outcome;
   if (ours) {
-    outcome = session.outcome();
+    outcome = kept_.session->outcome();
   } else {
     outcome.code = OutcomeCode::Canceled;
     outcome.message = "canceled";
   }
+  try {
+    const AlignResult result = announceOutcome(outcome);
+    if (ours) ticket.conclude(result);
+  } catch (const std::exception& error) {
+    // Who claims a goal owes its client a result, also where the words for it fail.
+    ROS_ERROR("the outcome %d can't be told: %s", int{static_cast<std::uint16_t>(outcome.code)},
+              error.what());
+    if (ours) endWith(ticket, session::outcomeOf(error));
+  }
+}
+
+// On all topics; the client's result comes last.
+AlignResult AlignmentRunner::announceOutcome(const session::Outcome& outcome) {
+  const session::Session& session = *kept_.session;
   const session::Snapshot last = session.snapshot();
   AlignResult result = figures(last);
   const AlignResult said = toMessage(outcome, kept_.phrases);
@@ -290,6 +309,7 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
     result.plan = toMessage(session, ++plans_, kept_.phrases);
     result.plan.session_id = kept_.id;
     result.plan.header.stamp = stampNow();
+    plan_watch_.giveOut({result.plan.plan_id, kept_.task_id, kept_.person, kept_.identity});
     announcer_.publish(result.plan);
   }
   if (isDecided(outcome.code)) journal_.drop();
@@ -302,9 +322,10 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
   state.conflict_minimal = result.conflict_minimal;
   state.alternatives = result.alternatives;
   announcer_.publish(state);
+  bridge_.markShown();
   announcer_.tell(fmt::format("outcome {} ({}): {}", result.outcome,
                               session::outcomeWord(outcome.code), result.message));
-  if (ours) ticket.conclude(result);
+  return result;
 }
 
 void AlignmentRunner::refuse(GoalTicket& ticket, const session::Outcome& outcome) {
@@ -312,7 +333,11 @@ void AlignmentRunner::refuse(GoalTicket& ticket, const session::Outcome& outcome
       fmt::format("task {}refused ({}): {}",
                   ticket.goal().task.task_id.empty() ? "" : ticket.goal().task.task_id + " ",
                   static_cast<int>(outcome.code), outcome.message));
-  if (!ticket.claim()) return;
+  if (ticket.claim()) endWith(ticket, outcome);
+}
+
+// Of a goal that was claimed for it.
+void AlignmentRunner::endWith(GoalTicket& ticket, const session::Outcome& outcome) {
   AlignResult result = ticket.interim();
   result.outcome = static_cast<std::uint16_t>(outcome.code);
   result.message = outcome.message;

@@ -4,12 +4,11 @@
 #include <ros/console.h>
 #include <std_msgs/String.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "goal_alignment/common/quote.h"
 #include "goal_alignment/ros_interface/node_constants.h"
+#include "goal_alignment/ros_interface/outside_text.h"
 #include "goal_alignment/ros_interface/stamp.h"
 
 namespace goal_alignment::ros_interface {
@@ -35,7 +34,16 @@ void Announcer::publish(AlignmentState state) {
   const std::lock_guard<std::mutex> lock(mutex_);
   // roscpp counts what it publishes, but not what a service hands out.
   state.header.seq = state_.header.seq + 1;
+  state.waiting = std::move(state_.waiting);
   state_ = std::move(state);
+  states_.publish(state_);
+}
+
+void Announcer::showWaiting(std::vector<WaitingTask> waiting) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  state_.header.stamp = stampNow();
+  ++state_.header.seq;
+  state_.waiting = std::move(waiting);
   states_.publish(state_);
 }
 
@@ -70,9 +78,7 @@ void Announcer::warn(const std::string& line) {
 // What names from outside may hold: whatever a terminal takes for a command, and megabytes.
 std::string Announcer::publishEvent(const std::string& line) {
   std_msgs::String message;
-  message.data = shortened(line, kLongestEvent);
-  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
-  std::replace_if(message.data.begin(), message.data.end(), is_control, ' ');
+  message.data = onOneLine(line, kLongestEvent);
   events_.publish(message);
   return message.data;
 }

@@ -87,7 +87,7 @@ Explain::Response Explainer::suppose(const std::vector<Literal>& fluents,
   const Supposition supposed = supposition(fluents, explained->snapshot);
   if (!explained->snapshot.candidates.empty() && !supposed.refusal.empty())
     return unknown(supposed.refusal);
-  return suppositions_.ask(fluents, deadline).value_or(unknown("Not known yet."));
+  return suppositions_.ask(fluents, deadline).value_or(notKnownYet());
 }
 
 }  // namespace goal_alignment::ros_interface

@@ -1,14 +1,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/ros_interface/goal_ticket.h"
 
+#include <ros/console.h>
+#include <ros/serialization.h>
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/nil_generator.hpp>
+#include <boost/uuid/uuid_io.hpp>
+#include <cstdint>
+#include <exception>
 #include <utility>
+#include <vector>
+
+#include "goal_alignment/ros_interface/outside_text.h"
 
 namespace goal_alignment::ros_interface {
 
 using actionlib_msgs::GoalStatus;
 
-GoalTicket::GoalTicket(Handle handle) : handle_(std::move(handle)), goal_(handle_.getGoal()) {
+namespace {
+
+using GoalPointer = boost::shared_ptr<const AlignGoal>;
+
+GoalPointer withCleanNames(GoalPointer goal) {
+  const std::string person = outsideName(goal->task.person);
+  const std::string task_id = outsideName(goal->task.task_id);
+  if (person == goal->task.person && task_id == goal->task.task_id) return goal;
+  const auto clean = boost::make_shared<AlignGoal>(*goal);
+  clean->task.person = person;
+  clean->task.task_id = task_id;
+  return clean;
+}
+
+}  // namespace
+
+std::string identityOf(const AlignGoal& goal) {
+  if (!goal.continue_session.empty()) return {};
+  AlignGoal plain = goal;
+  plain.task.header = {};
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(plain));
+  ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(out, plain);
+  const boost::uuids::name_generator_sha1 name(boost::uuids::nil_uuid());
+  return boost::uuids::to_string(name(bytes.data(), bytes.size()));
+}
+
+GoalTicket::GoalTicket(Handle handle)
+    : handle_(std::move(handle)),
+      goal_(withCleanNames(handle_.getGoal())),
+      identity_(identityOf(*goal_)) {
   interim_.failing_step = -1;
+}
+
+GoalTicket::~GoalTicket() {
+  try {
+    conclude({});  // nothing, where there was a result
+  } catch (const std::exception& error) {
+    ROS_ERROR("a goal ends without a result: %s", error.what());
+  }
 }
 
 bool GoalTicket::cancelOvertookIt() const {
@@ -40,7 +89,9 @@ AlignResult GoalTicket::interim() const {
 
 void GoalTicket::conclude(AlignResult result) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (std::exchange(concluded_, true)) return;
   if (result.outcome == AlignResult::NONE) {
+    result.failing_step = -1;
     result.outcome = AlignResult::INTERNAL;
     result.message = "the alignment ended without an outcome";
   }

@@ -10,6 +10,7 @@
 #include "goal_alignment/common/quote.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
 #include "goal_alignment/ros_interface/node_constants.h"
+#include "goal_alignment/ros_interface/outside_text.h"
 #include "goal_alignment/ros_interface/stamp.h"
 
 namespace goal_alignment::ros_interface {
@@ -44,6 +45,18 @@ std::string refusalOfValue(const Answer::Request& request) {
                      static_cast<int>(request.answer));
 }
 
+void show(const AcceptedAnswer& answer, AlignmentState& state) {
+  if (answer.kind == AnswerKind::Decline) return;
+  for (Candidate& candidate : state.candidates) {
+    const auto& fluents = answer.fluents;
+    if (std::find(fluents.begin(), fluents.end(), toLiteral(candidate.fluent)) == fluents.end())
+      continue;
+    candidate.state = static_cast<std::uint8_t>(stateAfter(answer.kind));
+    candidate.answered_by = answer.answered_by;
+    candidate.answered_at = answer.at;
+  }
+}
+
 // Each once, in the order given.
 std::vector<Literal> distinct(const std::vector<Literal>& literals) {
   std::vector<Literal> result;
@@ -72,6 +85,7 @@ void QuestionBridge::beginSession(const std::string& session_id) {
   if (session_id == session_id_) return;
   session_id_ = session_id;
   accepted_.clear();
+  taken_.clear();
   candidates_known_ = false;
   candidates_.clear();
   specified_.clear();
@@ -145,7 +159,26 @@ std::vector<AcceptedAnswer> QuestionBridge::take() {
   // What a session has taken must not be kept after what it has made of it.
   const std::lock_guard<std::mutex> keeping(keeping_);
   const std::lock_guard<std::mutex> lock(mutex_);
+  taken_.insert(taken_.end(), accepted_.begin(), accepted_.end());
   return std::exchange(accepted_, {});
+}
+
+void QuestionBridge::markShown() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  taken_.clear();
+}
+
+QuestionBridge::Unshown QuestionBridge::unshown() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Unshown unshown{session_id_, taken_};
+  unshown.answers.insert(unshown.answers.end(), accepted_.begin(), accepted_.end());
+  return unshown;
+}
+
+void QuestionBridge::Unshown::addTo(AlignmentState& state) const {
+  if (state.session_id != session_id) return;
+  for (const AcceptedAnswer& answer : answers)
+    show(answer, state);
 }
 
 QuestionBridge::Wake QuestionBridge::wait(Clock::time_point deadline) {
@@ -194,7 +227,7 @@ Receipt QuestionBridge::submit(const Answer::Request& request) {
 
   AcceptedAnswer answer;
   answer.kind = static_cast<AnswerKind>(request.answer);
-  answer.answered_by = request.answered_by;
+  answer.answered_by = outsideName(request.answered_by);
   answer.at = stampNow();
   answer.fluents = std::move(fluents);
   if (open_ && (answer.fluents.empty() || request.question_id != 0)) answer.question_id = open_->id;
@@ -244,7 +277,7 @@ QuestionBridge::Revision QuestionBridge::revise(const Answer::Request& request) 
   if (why_not.empty()) why_not = refusalOfFluents(answer.fluents, 0, true);
   if (!why_not.empty()) return {{false, why_not}, ""};
   answer.kind = static_cast<AnswerKind>(request.answer);
-  answer.answered_by = request.answered_by;
+  answer.answered_by = outsideName(request.answered_by);
   answer.at = stampNow();
   accept(answer);
   const std::string goes_on = under_way_ ? "" : session_id_;

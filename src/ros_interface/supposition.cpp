@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "goal_alignment/common/quote.h"
@@ -96,7 +97,25 @@ Explain::Response explainConsequence(const Supposition& supposed, const Conseque
   return response;
 }
 
+Explain::Response notKnownYet() {
+  Explain::Response response;
+  response.text = "Not known yet.";
+  return response;
+}
+
 SuppositionQueue::SuppositionQueue(std::function<void()> nudge) : nudge_(std::move(nudge)) {}
+
+// A supposition that the planner fails at is told so; the thread has a session to look after.
+std::optional<Explain::Response> SuppositionQueue::attempt(const Solve& solve,
+                                                           const std::vector<Literal>& fluents) {
+  try {
+    return solve(fluents);
+  } catch (const std::exception& error) {
+    Explain::Response response;
+    response.text = fmt::format("I can't tell: {}", error.what());
+    return response;
+  }
+}
 
 std::optional<Explain::Response> SuppositionQueue::ask(const std::vector<Literal>& fluents,
                                                        Clock::time_point deadline) {
@@ -127,7 +146,7 @@ void SuppositionQueue::answerOne(const Solve& solve) {
     job = jobs_.front();
     jobs_.pop_front();
   }
-  auto response = solve(job->fluents);  // meanwhile nobody else may have to wait
+  auto response = attempt(solve, job->fluents);  // meanwhile nobody else may have to wait
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!response && !job->given_up) jobs_.push_back(job);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <actionlib_msgs/GoalStatusArray.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
@@ -27,8 +28,10 @@
 #include "goal_alignment/ros_interface/explainer.h"
 #include "goal_alignment/ros_interface/journal.h"
 #include "goal_alignment/ros_interface/marker_publisher.h"
+#include "goal_alignment/ros_interface/plan_watch.h"
 #include "goal_alignment/ros_interface/question_bridge.h"
 #include "goal_alignment/ros_interface/robot_facts.h"
+#include "goal_alignment/ros_interface/task_intake.h"
 #include "goal_alignment/ros_interface/tf_state_bridge.h"
 
 namespace goal_alignment::ros_interface {
@@ -44,7 +47,9 @@ class AlignerNode {
   void endGoals() { align_.endGoals(); }
 
  private:
-  void takeTask(const HumanTask::ConstPtr& task);
+  AlignGoal goalFor(const HumanTask& task) const;
+  void hearExecutor(const actionlib_msgs::GoalStatusArray::ConstPtr& goals);
+  bool refusesIfBusy() const;
   bool answer(Answer::Request& request, Answer::Response& response);
   bool reviseAnswer(Answer::Request& request, Answer::Response& response);
   bool getState(GetState::Request& request, GetState::Response& response);
@@ -74,10 +79,12 @@ class AlignerNode {
   Explainer explainer_;
   QuestionBridge bridge_;
   AskHumanClient ask_human_;
+  PlanWatch plan_watch_;
   AlignmentRunner runner_;
   AlignServer align_;
+  TaskIntake tasks_;
 
-  ros::Subscriber tasks_;
+  ros::Subscriber executor_;
   ros::ServiceServer answer_service_;
   ros::ServiceServer revise_service_;
   ros::ServiceServer state_service_;

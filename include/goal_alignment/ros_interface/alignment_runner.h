@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "goal_alignment/ros_interface/journal.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
 #include "goal_alignment/ros_interface/node_options.h"
+#include "goal_alignment/ros_interface/plan_watch.h"
 #include "goal_alignment/ros_interface/question_bridge.h"
 #include "goal_alignment/ros_interface/robot_facts.h"
 #include "goal_alignment/ros_interface/tf_state_bridge.h"
@@ -39,6 +41,7 @@ class AlignmentRunner {
     RobotFacts& facts;
     TfStateBridge& tf;
     Explainer& explainer;
+    PlanWatch& plan_watch;
   };
 
   AlignmentRunner(ros::NodeHandle private_node, const Parts& parts);
@@ -63,6 +66,7 @@ class AlignmentRunner {
     std::string id;
     std::string person;
     std::string task_id;
+    std::string identity;  // of the goal that began it
     std::shared_ptr<session::Session> session;
     std::vector<GroundName> human_plan;
     phrasing::Phrases phrases;
@@ -96,7 +100,10 @@ class AlignmentRunner {
   bool hasEnded();
   bool claimOutcome(GoalTicket& ticket);
   void conclude(GoalTicket& ticket);
+  AlignResult announceOutcome(const session::Outcome& outcome);
+  void breakOff(GoalTicket& ticket, const std::exception& error);
   void refuse(GoalTicket& ticket, const session::Outcome& outcome);
+  void endWith(GoalTicket& ticket, const session::Outcome& outcome);
 
   // alignment_facts.cpp: what is so in the robot's world
   void checkRules();
@@ -144,6 +151,7 @@ class AlignmentRunner {
   RobotFacts& facts_;
   TfStateBridge& tf_;
   Explainer& explainer_;
+  PlanWatch& plan_watch_;
   Kept kept_;
   Question open_;                    // question_id 0: none
   session::QuestionView open_view_;  // as the session asked it

@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "goal_alignment/AlignmentState.h"
 #include "goal_alignment/Plan.h"
 #include "goal_alignment/Question.h"
+#include "goal_alignment/WaitingTask.h"
 
 namespace goal_alignment::ros_interface {
 
@@ -19,7 +21,10 @@ class Announcer {
  public:
   explicit Announcer(ros::NodeHandle private_node);
 
+  /// With the tasks that wait.
   void publish(AlignmentState state);
+  /// The last state once more, with these tasks waiting from now on.
+  void showWaiting(std::vector<WaitingTask> waiting);
   void publish(Plan plan);
   /// Returns the question as it went out, stamped.
   Question publish(Question question);

@@ -13,6 +13,7 @@ constexpr const char* kDefaultNodeName = "goal_alignment";
 // Relative to the node's namespace.
 constexpr const char* kHumanTaskTopic = "human_task";
 constexpr const char* kAskHumanService = "ask_human";
+constexpr const char* kExecutorStatusTopic = "execute_plan/status";
 constexpr const char* kRecognisedSpeechTopic = "recognised_speech";
 
 // Private to speech_dialogue.

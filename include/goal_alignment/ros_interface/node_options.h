@@ -13,6 +13,9 @@
 
 namespace goal_alignment::ros_interface {
 
+/// What becomes of a task that arrives while a plan is being carried out.
+enum class BusyPolicy { Wait, Refuse };
+
 /// All parameters of goal_alignment_node, read anew for every goal. README.md's table and
 /// config/goal_alignment.yaml list them in this order.
 struct NodeOptions {
@@ -25,18 +28,21 @@ struct NodeOptions {
 
   /// policy, seed (0 … 2^31-1), belief (normalised, raw, flat:P), beta (0 … 1000), kappa
   /// (0.001 … 1000), conflicts (lazy, full), unsure_policy (as-yes, defer, abort), plan (first,
-  /// optimal), costs, static_candidates, time_limit (seconds of thinking, 0.01 … 86400, default
-  /// 300), memory_limit (MiB, 16 … 1048576, default 2048), max_questions (-1: no limit),
-  /// max_group_size (1 … 255), negative_candidates, hidden_wanted and hidden_not_wanted (lists of
-  /// predicates, none in both), max_extra_cost (0 … 10^9; -1: no limit).
+  /// optimal), costs, static_candidates, time_limit (seconds of wall time spent thinking, 0.01 …
+  /// 86400, default 300), memory_limit (MiB, 16 … 1048576, default 2048), max_questions (-1: no
+  /// limit), max_group_size (1 … 255), negative_candidates, hidden_wanted and hidden_not_wanted
+  /// (lists of predicates, none in both), max_extra_cost (0 … 10^9; -1: no limit).
   session::Options session;
 
-  double ask_timeout = 0;  ///< seconds to wait for one answer, 0 … 604800; 0: for ever
-  int ask_retries = 0;     ///< 0 … 1000: how often a question is put again after such silence
+  /// Seconds of wall time to wait for one answer, 0 … 604800; 0: for ever.
+  double ask_timeout = 0;
+  int ask_retries = 0;  ///< 0 … 1000: how often a question is put again after such silence
 
-  /// Seconds, 0 … 31536000: for so long the answers of a dialogue that was broken off are kept on
-  /// disk; 0: not at all.
+  /// Seconds of wall time, 0 … 31536000: for so long the answers of a dialogue that was broken off
+  /// are kept on disk; 0: not at all.
   double journal_expiry = 604800;
+
+  BusyPolicy busy_policy = BusyPolicy::Wait;  ///< wait, refuse
 
   std::string tf_facts;  ///< YAML file: facts from where things are; "": none
   double tf_patience =

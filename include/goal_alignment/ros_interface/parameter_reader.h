@@ -20,7 +20,8 @@ class ParameterError : public std::runtime_error {
 
 /// Takes typed values out of one namespace of the parameter server and remembers which keys it
 /// was asked for. Values that are not there leave the default; every other fault throws
-/// ParameterError naming key, namespace and what was expected.
+/// ParameterError naming key, namespace, what was expected and what was found. A text that is a
+/// number counts as one, and so does 2048.0 as a whole one.
 class ParameterReader {
  public:
   ParameterReader(XmlRpc::XmlRpcValue values, std::string ns);
@@ -45,6 +46,9 @@ class ParameterReader {
   [[noreturn]] void refuse(const std::string& key, const std::string& expected) const;
 
  private:
+  [[noreturn]] void refuse(const std::string& key, const std::string& expected,
+                           const XmlRpc::XmlRpcValue& found) const;
+
   // Null where the key is not there.
   XmlRpc::XmlRpcValue* find(const std::string& key);
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "goal_alignment/AlignmentState.h"
 #include "goal_alignment/Answer.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/ros_interface/question_ids.h"
@@ -65,6 +66,8 @@ class QuestionBridge {
   void close();
   /// Waits for the keeping of those that were accepted a moment ago.
   std::vector<AcceptedAnswer> take();
+  /// All that was taken stands in the state that was published last.
+  void markShown();
   enum class Wake { Answer, Interrupt, News, TimedOut };
   /// Waits in wall time for an answer, for interrupt(), for nudge(), or until the deadline.
   Wake wait(Clock::time_point deadline);
@@ -82,6 +85,14 @@ class QuestionBridge {
     std::string continue_session;  ///< where the session has ended: which one has to go on
   };
   Revision revise(const Answer::Request& request);
+  /// The answers of the session that were accepted since a state was published, in their order.
+  struct Unshown {
+    std::string session_id;
+    std::vector<AcceptedAnswer> answers;
+    /// To one that was published after they were asked for, or before.
+    void addTo(AlignmentState& state) const;
+  };
+  Unshown unshown() const;
   /// 0: none is open.
   std::uint32_t openId() const;
 
@@ -125,6 +136,7 @@ class QuestionBridge {
   std::set<Literal> specified_;
   std::map<Literal, session::CandidateState> candidates_;
   std::vector<AcceptedAnswer> accepted_;
+  std::vector<AcceptedAnswer> taken_;  // since a state was published
 };
 
 }  // namespace goal_alignment::ros_interface

@@ -36,12 +36,15 @@ Explain::Response explainConsequence(const Supposition& supposed,
                                      const session::Snapshot& then,
                                      const phrasing::Phrases& phrases);
 
+/// What is said where nothing else can be.
+Explain::Response notKnownYet();
+
 /// Suppositions on their way to the solver thread, which alone can think about them, and back.
 /// Thread-safe.
 class SuppositionQueue {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Nothing: it is not known yet.
+  /// Nothing: it is not known yet, but more thought may help. What it throws becomes the answer.
   using Solve = std::function<std::optional<Explain::Response>(const std::vector<Literal>&)>;
 
   /// `nudge` tells the solver thread that there is something to think about.
@@ -65,6 +68,9 @@ class SuppositionQueue {
     std::optional<Explain::Response> response;
     bool given_up = false;
   };
+
+  static std::optional<Explain::Response> attempt(const Solve& solve,
+                                                  const std::vector<Literal>& fluents);
 
   const std::function<void()> nudge_;
   mutable std::mutex mutex_;  // guards all below

@@ -108,8 +108,9 @@ TEST(NodeOptions, whatIsAskedAboutHasItsRange) {
             "parameter /robot/aligner/max_extra_cost: expected 0 or more, or -1");
   EXPECT_NE(faultOf("max_extra_cost", -2), "");
   EXPECT_NE(faultOf("max_extra_cost", 2e9), "");
-  EXPECT_EQ(faultOf("hidden_wanted", "dusty"),
-            "parameter /robot/aligner/hidden_wanted: expected a list of names");
+  EXPECT_EQ(
+      faultOf("hidden_wanted", "dusty"),
+      "parameter /robot/aligner/hidden_wanted: expected a list of names, not the text 'dusty'");
   EXPECT_EQ(faultOf("hidden_not_wanted", listOf({"ok", "(dusty)"})),
             "parameter /robot/aligner/hidden_not_wanted: expected a list of names, not '(dusty)'");
   EXPECT_NE(faultOf("hidden_wanted", listOf({""})), "");
@@ -126,16 +127,60 @@ TEST(NodeOptions, faultsNameKeyAndNamespace) {
   EXPECT_EQ(faultOf("beta", -1.0),
             "parameter /robot/aligner/beta: expected a number from 0 to 1000, not -1");
   EXPECT_EQ(faultOf("beta", "much"),
-            "parameter /robot/aligner/beta: expected a number from 0 to 1000");
+            "parameter /robot/aligner/beta: expected a number from 0 to 1000, not the text 'much'");
   EXPECT_EQ(faultOf("seed", 1.5),
-            "parameter /robot/aligner/seed: expected a whole number from 0 to 2147483647");
-  EXPECT_EQ(faultOf("costs", 1), "parameter /robot/aligner/costs: expected true or false");
-  EXPECT_EQ(faultOf("phrases", 7), "parameter /robot/aligner/phrases: expected a text");
+            "parameter /robot/aligner/seed: expected a whole number from 0 to 2147483647, not 1.5");
+  EXPECT_EQ(faultOf("costs", 1), "parameter /robot/aligner/costs: expected true or false, not 1");
+  EXPECT_EQ(faultOf("phrases", 7), "parameter /robot/aligner/phrases: expected a text, not 7");
+  EXPECT_EQ(faultOf("beta", true),
+            "parameter /robot/aligner/beta: expected a number from 0 to 1000, not true");
+  EXPECT_EQ(faultOf("tf_facts", listOf({"a", "b"})),
+            "parameter /robot/aligner/tf_facts: expected a text, not a list");
+  EXPECT_NE(faultOf("marker_frames", 3).find(", not 3"), std::string::npos);
+  EXPECT_NE(faultOf("policy", 2).find(", not 2"), std::string::npos);
   EXPECT_NE(faultOf("policy", "guess").find("expected one of "), std::string::npos);
   EXPECT_NE(faultOf("policy", "guess").find("paper"), std::string::npos);
   EXPECT_NE(faultOf("ask_timeout", -0.5), "");
   EXPECT_NE(faultOf("time_limit", 0.0), "");
   EXPECT_NE(faultOf("max_questions", -2), "");
+}
+
+// YAML's 1e3 comes from rosparam as a text, and 2048.0 is no int.
+TEST(NodeOptions, numbersAreReadInEverySpelling) {
+  XmlRpcValue values;
+  values["time_limit"] = "1e3";
+  values["memory_limit"] = 2048.0;
+  values["seed"] = "2e2";
+  values["max_questions"] = "-1";
+  values["beta"] = "1.5E-1";
+  values["tf_patience"] = "+3";
+  const NodeOptions options = read(values);
+  EXPECT_EQ(options.session.time_limit, 1000);
+  EXPECT_EQ(options.session.memory_limit, std::size_t{2048} << 20U);
+  EXPECT_EQ(options.session.seed, 200U);
+  EXPECT_EQ(options.session.max_questions, -1);
+  EXPECT_EQ(options.session.belief.beta, 0.15);
+  EXPECT_EQ(options.tf_patience, 3);
+}
+
+TEST(NodeOptions, whatIsNoNumberIsRefusedByWhatItIs) {
+  for (const char* text :
+       {"", "abc", "1e", "e3", "1 000", " 1", "1,5", "0x10", "nan", "inf", "1-2"})
+    EXPECT_NE(faultOf("time_limit", text).find("not the text '" + std::string(text) + "'"),
+              std::string::npos)
+        << text;
+  EXPECT_NE(faultOf("time_limit", "1e9"), "") << "out of its range";
+  EXPECT_NE(faultOf("memory_limit", 2048.5).find("not 2048.5"), std::string::npos);
+  EXPECT_NE(faultOf("seed", 1e300), "");
+  EXPECT_NE(faultOf("seed", std::numeric_limits<double>::quiet_NaN()), "");
+}
+
+TEST(NodeOptions, aTaskWaitsWhileAPlanIsCarriedOutUnlessItIsToBeRefused) {
+  EXPECT_EQ(read(XmlRpcValue()).busy_policy, BusyPolicy::Wait);
+  XmlRpcValue values;
+  values["busy_policy"] = "refuse";
+  EXPECT_EQ(read(values).busy_policy, BusyPolicy::Refuse);
+  EXPECT_NE(faultOf("busy_policy", "later"), "");
 }
 
 TEST(NodeOptions, beliefsThatAreNoneAreRefused) {

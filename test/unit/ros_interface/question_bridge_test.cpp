@@ -334,6 +334,57 @@ TEST_F(Bridge, whatWasAcceptedIsKeptUntilTheSessionGoesOn) {
   EXPECT_EQ(kept[1].fluents, std::vector<Literal>{literal("(c)")});
 }
 
+// (a) and (b) as they were published before any answer.
+AlignmentState published(const std::string& session_id = "s") {
+  AlignmentState state;
+  state.session_id = session_id;
+  for (const char* name : {"a", "b"}) {
+    Candidate candidate;
+    candidate.fluent.name = name;
+    candidate.state = Candidate::OPEN;
+    state.candidates.push_back(candidate);
+  }
+  return state;
+}
+
+TEST_F(Bridge, whatWasAcceptedIsShownBeforeAStateWithItIsPublished) {
+  bridge_.open({literal("(a)")});
+  EXPECT_TRUE(submit(Answer::Request::YES).accepted);
+  AlignmentState state = published();
+  bridge_.unshown().addTo(state);
+  EXPECT_EQ(int{state.candidates[0].state}, int{Candidate::WANTED});
+  EXPECT_EQ(state.candidates[0].answered_by, "Ann");
+  EXPECT_FALSE(state.candidates[0].answered_at.isZero());
+  EXPECT_EQ(int{state.candidates[1].state}, int{Candidate::OPEN});
+
+  (void)bridge_.take();  // the session has it, onlookers don't
+  EXPECT_TRUE(bridge_.revise(request(kNo, 0, {"(a)"})).receipt.accepted);
+  state = published();
+  bridge_.unshown().addTo(state);
+  EXPECT_EQ(int{state.candidates[0].state}, int{Candidate::NOT_WANTED}) << "the newest counts";
+  AlignmentState other = published("another session");
+  bridge_.unshown().addTo(other);
+  EXPECT_EQ(int{other.candidates[0].state}, int{Candidate::OPEN});
+
+  (void)bridge_.take();
+  bridge_.markShown();
+  EXPECT_TRUE(bridge_.unshown().answers.empty());
+}
+
+TEST_F(Bridge, whoAnsweredIsANameThatALogCanShow) {
+  Answer::Request answer = request(Answer::Request::YES, 0, {"(a)"});
+  answer.answered_by = "Ann\n[ERROR] fire\x1b[2J" + std::string(100000, '!');
+  EXPECT_TRUE(bridge_.submit(answer).accepted);
+  answer.answer = Answer::Request::NO;
+  EXPECT_TRUE(bridge_.revise(answer).receipt.accepted);
+  const auto accepted = bridge_.take();
+  ASSERT_EQ(accepted.size(), 2U);
+  for (const AcceptedAnswer& each : accepted) {
+    EXPECT_EQ(each.answered_by.rfind("Ann [ERROR] fire [2J!!!", 0), 0U);
+    EXPECT_LT(each.answered_by.size(), 300U);
+  }
+}
+
 TEST_F(Bridge, waitsEndByInterruptAndByTime) {
   EXPECT_EQ(bridge_.wait(Clock::now()), QuestionBridge::Wake::TimedOut);
   std::thread interrupter([this] { bridge_.interrupt(); });

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <future>
+#include <stdexcept>
+#include <thread>
+
 namespace goal_alignment::ros_interface {
 namespace {
 
@@ -82,6 +86,33 @@ TEST(Supposition, noPlanIsToldWithItsConflict) {
   EXPECT_TRUE(response.conflicts[0].minimal) << "as it is known";
   consequence.conflict = literals({"(a)"});
   EXPECT_TRUE(explained(consequence).conflicts.at(0).proven) << "though nobody knew it before";
+}
+
+TEST(SuppositionQueue, whatTheSolverFailsAtIsToldAndTheNextIsAnswered) {
+  SuppositionQueue queue;
+  const auto deadline = SuppositionQueue::Clock::now() + std::chrono::seconds(60);
+  const auto ask = [&](const std::string& fluent) {
+    return std::async(std::launch::async, [&queue, deadline, fluent] {
+      return queue.ask(literals({fluent}), deadline);
+    });
+  };
+  auto failing = ask("(a)");
+  while (queue.empty())
+    std::this_thread::yield();
+  queue.answerOne([](const std::vector<Literal>&) -> std::optional<Explain::Response> {
+    throw std::runtime_error("no room");
+  });
+  const auto failed = failing.get();
+  ASSERT_TRUE(failed);
+  EXPECT_FALSE(failed->known);
+  EXPECT_EQ(failed->text, "I can't tell: no room");
+  EXPECT_TRUE(queue.empty()) << "it is not tried again";
+
+  auto next = ask("(b)");
+  while (queue.empty())
+    std::this_thread::yield();
+  queue.answerOne([](const std::vector<Literal>&) { return notKnownYet(); });
+  EXPECT_EQ(next.get()->text, "Not known yet.");
 }
 
 TEST(Supposition, questionsThatFollowAreCounted) {
