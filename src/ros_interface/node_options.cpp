@@ -115,6 +115,9 @@ NodeOptions NodeOptions::read(const XmlRpc::XmlRpcValue& values, const std::stri
   reader.read("ask_timeout", options.ask_timeout, 0, kLongestAskTimeout);
   reader.read("ask_retries", options.ask_retries, 0, kMostRetries);
   reader.read("journal_expiry", options.journal_expiry, 0, kLongestExpiry);
+  reader.read("human_state_follows", options.human_state_follows);
+  reader.read("facts_expiry", options.facts_expiry, 0, kLongestExpiry);
+  reader.read("world", options.world);
   reader.read("tf_facts", options.tf_facts);
   reader.read("tf_patience", options.tf_patience, 0, 3600);
   reader.read("tf_period", options.tf_period, 0.01, 60);

@@ -22,6 +22,7 @@
 #include "goal_alignment/ros_interface/question_bridge.h"
 #include "goal_alignment/ros_interface/robot_facts.h"
 #include "goal_alignment/ros_interface/tf_state_bridge.h"
+#include "goal_alignment/ros_interface/under_way.h"
 #include "goal_alignment/session/session.h"
 
 namespace goal_alignment::ros_interface {
@@ -37,6 +38,7 @@ class AlignmentRunner {
     AskHumanClient& ask_human;
     Journal& journal;
     RobotFacts& facts;
+    UnderWay& under_way;
     TfStateBridge& tf;
     Explainer& explainer;
   };
@@ -100,6 +102,7 @@ class AlignmentRunner {
   void refuse(GoalTicket& ticket, const session::Outcome& outcome);
 
   // alignment_facts.cpp: what is so in the robot's world
+  void inheritFacts(const NodeOptions& options, session::Input& input);
   void checkRules();
   void takeUpFacts();
   void missFacts(const whereabouts::Observation& seen);
@@ -127,6 +130,7 @@ class AlignmentRunner {
   void beginPatience();
   void putQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void closeQuestion();
+  void hideQuestion();  // it can still be answered
 
   // alignment_reports.cpp: what is said about the session
   void report(GoalTicket& ticket, const session::Snapshot& now, const std::string& message);
@@ -143,6 +147,7 @@ class AlignmentRunner {
   AskHumanClient& ask_human_;
   Journal& journal_;
   RobotFacts& facts_;
+  UnderWay& under_way_;
   TfStateBridge& tf_;
   Explainer& explainer_;
   Kept kept_;

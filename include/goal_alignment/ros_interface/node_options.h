@@ -38,6 +38,13 @@ struct NodeOptions {
   /// disk; 0: not at all.
   double journal_expiry = 604800;
 
+  /// Whether what the robot reports is so for the person as well, in later tasks.
+  bool human_state_follows = true;
+  /// Seconds, 0 … 31536000: for so long facts that were set are kept on disk for after a restart;
+  /// 0: not at all. Read at the start alone, like the next one.
+  double facts_expiry = 604800;
+  std::string world;  ///< kept facts hold in the world of this name alone
+
   std::string tf_facts;  ///< YAML file: facts from where things are; "": none
   double tf_patience =
       2;  ///< seconds of wall time, 0 … 3600: for so long unknown facts are awaited
