@@ -20,7 +20,9 @@ namespace {
 
 constexpr std::uint32_t kTaskQueueSize = 10;
 constexpr std::uint32_t kExplainThreads = 2;  // each may wait for a reason to come up
-constexpr double kNewsDelay = 1;  // seconds, in which others find a node that was restarted
+// Others need some time to find a node that was restarted.
+constexpr double kNewsPeriod = 1;  // seconds
+constexpr int kMostNewsPeriods = 10;
 
 std::string stateFolder() {
   return rosHome() + "/" + kStateFolder;
@@ -117,8 +119,8 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
   checkParameters();
   tellOfLostTask();
   if (!news_.empty()) {
-    news_timer_ = private_node_.createWallTimer(
-        ros::WallDuration(kNewsDelay), [this](const ros::WallTimerEvent&) { tellNews(); }, true);
+    news_timer_ = private_node_.createWallTimer(ros::WallDuration(kNewsPeriod),
+                                                [this](const ros::WallTimerEvent&) { tellNews(); });
   }
   validate_spinner_.start();
   explain_spinner_.start();
@@ -172,6 +174,8 @@ void AlignerNode::tellOfLostTask() {
 }
 
 void AlignerNode::tellNews() {
+  if (!announcer_.isHeard() && ++news_waited_ < kMostNewsPeriods) return;
+  news_timer_.stop();
   for (const std::string& line : news_)
     announcer_.tell(line);
 }

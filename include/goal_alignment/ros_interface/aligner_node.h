@@ -109,7 +109,8 @@ class AlignerNode {
   ros::AsyncSpinner explain_spinner_;
   ros::AsyncSpinner facts_spinner_;
 
-  std::vector<std::string> news_;  // of the start, told when others have had time to listen
+  std::vector<std::string> news_;  // of the start, told once others have had time to listen
+  int news_waited_ = 0;
   ros::WallTimer news_timer_;
 };
 
