@@ -35,12 +35,14 @@ std::string RobotFacts::follow(const FactScope& scope, double expiry) {
     return "";
   }
   const auto kept = file_->open(scope, expiry);
-  if (!kept) return "";
+  bool already_said = false;  // while the models could not be read
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    said_.putBefore(kept->facts);
+    already_said = said_.size() > 0;
+    if (kept) said_.putBefore(kept->facts);
   }
-  return kept->line;
+  if (already_said) keep();
+  return kept ? kept->line : "";
 }
 
 void RobotFacts::keep() const {
