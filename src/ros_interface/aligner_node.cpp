@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/ros_interface/aligner_node.h"
 
+#include <fmt/format.h>
 #include <ros/advertise_service_options.h>
 #include <ros/console.h>
 
 #include <chrono>
-#include <vector>
+#include <exception>
 
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/ros_interface/model_source.h"
@@ -19,6 +20,9 @@ namespace {
 
 constexpr std::uint32_t kStatusQueueSize = 100;  // a goal may end within the message after it began
 constexpr std::uint32_t kExplainThreads = 2;     // each may wait for a reason to come up
+// Others need some time to find a node that was restarted.
+constexpr double kNewsPeriod = 1;  // seconds
+constexpr int kMostNewsPeriods = 10;
 
 std::string stateFolder() {
   return rosHome() + "/" + kStateFolder;
@@ -42,6 +46,16 @@ std::vector<JournalAnswer> toJournal(const std::vector<AcceptedAnswer>& answers)
   return entries;
 }
 
+void logWarning(const std::string& line) {
+  ROS_WARN("%s", line.c_str());
+}
+
+std::string lostTask(const UnderWay::Task& task) {
+  return fmt::format("I was restarted while the task {}{}{}was under way: send it again to go on",
+                     task.task_id, task.task_id.empty() ? "" : " ",
+                     task.person.empty() ? "" : "of " + task.person + " ");
+}
+
 }  // namespace
 
 template <typename Service>
@@ -61,11 +75,14 @@ ros::ServiceServer AlignerNode::advertise(
 AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
     : private_node_(private_node),
       announcer_(private_node),
-      journal_(stateFolder() + "/journal",
-               [](const std::string& line) { ROS_WARN("%s", line.c_str()); }),
+      journal_(stateFolder() + "/journal", logWarning),
       diagnostics_(node, private_node, announcer_, journal_),
       frame_listener_(frames_, node),
       markers_(private_node, announcer_, frames_),
+      fact_file_(stateFolder() + "/facts", private_node.getNamespace(), logWarning),
+      facts_(&fact_file_),
+      models_(private_node),
+      under_way_(stateFolder() + "/under_way", private_node.getNamespace(), logWarning),
       tf_(frames_),
       explainer_([this] { nudgeSolver(); }),
       bridge_(questionIds(),
@@ -75,8 +92,8 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
       ask_human_(
           node, [this](const Answer::Request& request) { return submit(request); },
           [this](const std::string& complaint) { announcer_.tell(complaint); }),
-      runner_(private_node,
-              {announcer_, bridge_, ask_human_, journal_, facts_, tf_, explainer_, plan_watch_}),
+      runner_(private_node, {announcer_, bridge_, ask_human_, journal_, facts_, under_way_, tf_,
+                             explainer_, plan_watch_}),
       align_(private_node, runner_, announcer_, plan_watch_, [this] { return refusesIfBusy(); }),
       tasks_(node, stateFolder(), align_, announcer_,
              [this](const HumanTask& task) { return goalFor(task); }),
@@ -93,12 +110,21 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
           advertise<Validate>(kValidateService, validate_callbacks_, &AlignerNode::validate)),
       explain_service_(
           advertise<Explain>(kExplainService, explain_callbacks_, &AlignerNode::explain)),
+      set_human_facts_service_(advertise<SetFacts>(kSetHumanFactsService, facts_callbacks_,
+                                                   &AlignerNode::setHumanFacts)),
+      forget_facts_service_(advertise<std_srvs::Trigger>(kForgetFactsService, facts_callbacks_,
+                                                         &AlignerNode::forgetFacts)),
       get_facts_service_(
           advertise<GetFacts>(kGetFactsService, facts_callbacks_, &AlignerNode::getFacts)),
       validate_spinner_(1, &validate_callbacks_),
       explain_spinner_(kExplainThreads, &explain_callbacks_),
       facts_spinner_(1, &facts_callbacks_) {
   checkParameters();
+  tellOfLostTask();
+  if (!news_.empty()) {
+    news_timer_ = private_node_.createWallTimer(ros::WallDuration(kNewsPeriod),
+                                                [this](const ros::WallTimerEvent&) { tellNews(); });
+  }
   validate_spinner_.start();
   explain_spinner_.start();
   facts_spinner_.start();
@@ -114,12 +140,47 @@ void AlignerNode::nudgeSolver() {
 // the rules of tf count from now on, so that ~get_facts can tell of them.
 void AlignerNode::checkParameters() {
   try {
-    tf_.follow(rulesOf(NodeOptions::read(private_node_).tf_facts));
+    const NodeOptions options = NodeOptions::read(private_node_);
+    takeUpKeptFacts(options);
+    tf_.follow(rulesOf(options.tf_facts));
   } catch (const ParameterError& error) {
     ROS_ERROR("%s", error.what());
   } catch (const GoalError& error) {
     ROS_ERROR("%s", error.what());
   }
+}
+
+// Else the next task does, whose models come from parameters.
+void AlignerNode::takeUpKeptFacts(const NodeOptions& options) {
+  try {
+    const FactScope scope = FactScope::of(parameterModels(options), options.world);
+    const std::string line = facts_.follow(scope, options.facts_expiry);
+    if (!line.empty()) news_.push_back(line);
+  } catch (const std::exception& error) {
+    ROS_DEBUG("no facts are taken up yet: %s", error.what());
+  }
+}
+
+// Who sent it as an action's goal sees that it is lost, as the new server does not know it.
+void AlignerNode::tellOfLostTask() {
+  const auto task = under_way_.lost();
+  if (!task) return;
+  AlignmentState state;
+  state.phase = AlignmentState::DONE;
+  state.session_id = task->session_id;
+  state.task_id = task->task_id;
+  state.person = task->person;
+  state.outcome = AlignResult::CANCELED;
+  state.message = lostTask(*task);
+  announcer_.publish(state);
+  news_.push_back(state.message);
+}
+
+void AlignerNode::tellNews() {
+  if (!announcer_.isHeard() && ++news_waited_ < kMostNewsPeriods) return;
+  news_timer_.stop();
+  for (const std::string& line : news_)
+    announcer_.tell(line);
 }
 
 AlignGoal AlignerNode::goalFor(const HumanTask& task) const {
@@ -209,7 +270,33 @@ bool AlignerNode::setFacts(SetFacts::Request& request, SetFacts::Response& respo
 }
 
 bool AlignerNode::getFacts(GetFacts::Request& /*request*/, GetFacts::Response& response) {
-  response = facts_.tell(tf_.look());
+  const whereabouts::Observation seen = tf_.look();
+  response = facts_.tell(seen);
+  if (!response.session_id.empty()) return true;
+  std::string why_not;
+  const ParameterModels::Model next = models_.robot(why_not);
+  response = facts_.tellBefore(next, why_not, seen);
+  return true;
+}
+
+// Where their model can't be read, the next task finds out what it can't have.
+bool AlignerNode::setHumanFacts(SetFacts::Request& request, SetFacts::Response& response) {
+  std::string why_not;
+  const ParameterModels::Model human = models_.human(why_not);
+  const session::Receipt receipt = facts_.setHuman(request.facts, human.get());
+  response.accepted = receipt.accepted;
+  response.message = receipt.message;
+  if (receipt.accepted && !human)
+    response.message = "taken; the person's model can't be read: " + why_not;
+  return true;
+}
+
+bool AlignerNode::forgetFacts(std_srvs::Trigger::Request& /*request*/,
+                              std_srvs::Trigger::Response& response) {
+  response.success = 1;
+  response.message = fmt::format("{} facts are forgotten: what is so stands in the problem files",
+                                 facts_.forget());
+  bridge_.nudge();
   return true;
 }
 

@@ -196,7 +196,7 @@ void AlignmentRunner::waitForAnswer(GoalTicket& ticket, const session::Snapshot&
   kept_.waiting_time += waited.count();
   if (wake == QuestionBridge::Wake::TimedOut) treatSilence();
   // Dialogue nodes leave the question at once, not only when the next one is known.
-  if (bridge_.openId() != open_.question_id) closeQuestion();
+  if (open_.question_id != 0 && bridge_.openId() != open_.question_id) closeQuestion();
 }
 
 // As bridge_.wait() does; new facts are news.
@@ -208,23 +208,31 @@ QuestionBridge::Wake AlignmentRunner::awaitNews() {
   }
 }
 
-// A question put again has a new id, so that a dialogue node leaves the old call.
+// A question put again has a new id, so that a dialogue node leaves the old call. Until then it can
+// still be answered under its old one.
 void AlignmentRunner::treatSilence() {
   const auto tries = static_cast<unsigned>(kept_.options.ask_retries) + 1;
   if (++kept_.silences < tries) {
     announcer_.tell(fmt::format("no answer to question {}; it is put again", open_.question_id));
-    closeQuestion();
+    hideQuestion();
     return;
   }
   const double timeout = kept_.options.ask_timeout;
-  kept_.session->giveUpWaiting(
-      tries == 1 ? fmt::format("nobody answered within {} s", timeout)
-                 : fmt::format("nobody answered {} times within {} s", tries, timeout));
+  std::string reason = tries == 1
+                           ? fmt::format("nobody answered within {} s", timeout)
+                           : fmt::format("nobody answered {} times within {} s", tries, timeout);
+  const std::string refusals = bridge_.refusals();
+  if (!refusals.empty()) {
+    reason += "; answers came, all refused: " + refusals;
+    announcer_.warn(
+        fmt::format("question {}: answers came, all refused: {}", open_.question_id, refusals));
+  }
+  kept_.session->giveUpWaiting(reason);
 }
 
 // False: an answer came in meanwhile, which counts first.
 bool AlignmentRunner::openQuestion(GoalTicket& ticket, const session::Snapshot& now) {
-  closeQuestion();  // one that new facts have replaced
+  hideQuestion();  // one that new facts have replaced
   const session::QuestionView& view = *kept_.session->question();
   const std::uint32_t id = bridge_.open(view.fluents);
   if (id == 0) return false;
@@ -287,6 +295,10 @@ void AlignmentRunner::refreshQuestion(GoalTicket& ticket, const session::Snapsho
 
 void AlignmentRunner::closeQuestion() {
   bridge_.close();
+  hideQuestion();
+}
+
+void AlignmentRunner::hideQuestion() {
   if (open_.question_id == 0) return;
   open_ = Question{};
   open_view_ = {};

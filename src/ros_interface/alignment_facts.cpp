@@ -20,6 +20,13 @@ bool restsOnFacts(OutcomeCode code) {
 
 }  // namespace
 
+// A task whose models come from parameters begins where the ones before have led.
+void AlignmentRunner::inheritFacts(const NodeOptions& options, session::Input& input) {
+  const std::string news = facts_.follow(FactScope::of(input, options.world), options.facts_expiry);
+  if (!news.empty()) announcer_.tell(news);
+  input.human_facts = facts_.believed(options.human_state_follows);
+}
+
 // Rules that the robot's model can't follow refuse the task, as a model would that is broken.
 void AlignmentRunner::checkRules() {
   const auto rules = tf_.rules();

@@ -27,7 +27,7 @@ class ContradictionError : public GoalError {
   using GoalError::GoalError;
 };
 
-// The dialogue has come to its end, so there is nothing to take up again after a crash.
+// The dialogue has come to its end, so there is nothing to take up again, also after a crash.
 bool isDecided(OutcomeCode code) {
   switch (code) {
     case OutcomeCode::Canceled:
@@ -35,7 +35,9 @@ bool isDecided(OutcomeCode code) {
     case OutcomeCode::MemoryLimit:
     case OutcomeCode::BudgetLimit:
     case OutcomeCode::NoAnswer:
+    case OutcomeCode::Declined:
     case OutcomeCode::QuestionLimit:
+    case OutcomeCode::UnsureBlocks:
     case OutcomeCode::InvalidModel:
     case OutcomeCode::StateUnknown:
     case OutcomeCode::Internal:
@@ -61,6 +63,7 @@ AlignmentRunner::AlignmentRunner(ros::NodeHandle private_node, const Parts& part
       ask_human_(parts.ask_human),
       journal_(parts.journal),
       facts_(parts.facts),
+      under_way_(parts.under_way),
       tf_(parts.tf),
       explainer_(parts.explainer),
       plan_watch_(parts.plan_watch) {}
@@ -97,12 +100,14 @@ void AlignmentRunner::run(GoalTicket& ticket) {
   }
   try {
     ticket.accept();
+    if (kept_.options.journal_expiry > 0) under_way_.begin({kept_.id, kept_.task_id, kept_.person});
     announcer_.tell(storyOf(ticket.goal()));
     loop(ticket);
     conclude(ticket);
   } catch (const std::exception& error) {
     breakOff(ticket, error);
   }
+  under_way_.end();
   const std::lock_guard<std::mutex> lock(running_mutex_);
   running_ = nullptr;
 }
@@ -137,7 +142,8 @@ void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
   }
   auto session = std::make_shared<session::Session>(optionsOf(goal, options));
   session::Input input = inputOf(goal, options);
-  const std::string key = journalKey(input, goal.task.person);
+  const std::string key = journalKey(input, goal.task.person, private_node_.getNamespace());
+  if (goal.source == AlignGoal::PARAMS) inheritFacts(options, input);
   Kept kept;
   kept.human_plan = input.human_plan;
   session->begin(std::move(input));

@@ -4,14 +4,17 @@
 #include <fmt/format.h>
 #include <ros/service.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "goal_alignment/AskHuman.h"
+#include "goal_alignment/ros_interface/message_conversion.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 
 namespace goal_alignment::ros_interface {
@@ -19,6 +22,40 @@ namespace {
 
 constexpr std::chrono::milliseconds kRetryPause{500};
 constexpr std::chrono::seconds kPatienceAtTheEnd{2};
+
+bool areTheSame(const Fluent& one, const Fluent& other) {
+  return one.name == other.name && one.args == other.args && one.negated == other.negated;
+}
+
+// The same question, perhaps put again after silence, and as much of it.
+bool asksTheSame(const Question& one, const Question& other) {
+  return one.session_id == other.session_id &&
+         std::equal(one.fluents.begin(), one.fluents.end(), other.fluents.begin(),
+                    other.fluents.end(), areTheSame);
+}
+
+// A dialogue that names no id means the question it was asked, not whichever is open by now. Where
+// it names fluents, it volunteers them.
+Answer::Request requestOf(const Question& asked, const AskHuman::Response& response) {
+  Answer::Request request;
+  request.answer = response.answer;
+  request.question_id = response.question_id;
+  request.fluents = response.fluents;
+  request.answered_by = response.answered_by;
+  const bool volunteers = !request.fluents.empty() && request.answer != AskHuman::Response::DECLINE;
+  if (request.question_id == 0 && !volunteers) request.question_id = asked.question_id;
+  return request;
+}
+
+// Whether an answer leaves nothing of the question to ask.
+bool covers(const Answer::Request& answer, const Question& asked) {
+  if (answer.question_id != 0) return true;
+  const std::vector<Literal> named = toLiterals(answer.fluents);
+  const std::vector<Literal> all = toLiterals(asked.fluents, "fluents");
+  return std::all_of(all.begin(), all.end(), [&](const Literal& fluent) {
+    return std::find(named.begin(), named.end(), fluent) != named.end();
+  });
+}
 
 }  // namespace
 
@@ -117,20 +154,16 @@ void AskHumanClient::Shared::treat(const Question& asked, const AskHuman::Respon
     const std::lock_guard<std::mutex> lock(mutex);
     if (stop || response.answer == AskHuman::Response::NONE) return;
   }
-  Answer::Request request;
-  request.answer = response.answer;
-  // A dialogue that names no id means the question it was asked, not whichever is open by now.
-  request.question_id = response.question_id == 0 ? asked.question_id : response.question_id;
-  request.fluents = response.fluents;
-  request.answered_by = response.answered_by;
+  const Answer::Request request = requestOf(asked, response);
   const session::Receipt receipt = deliver(request);
   if (!receipt.accepted) {
     return complainOnce(asked, fmt::format("an answer from {} was refused: {}",
                                            node->resolveName(kAskHumanService), receipt.message));
   }
-  // Answered in part, it is asked once more as soon as it is shown without what was answered.
+  // Answered in part, it is asked once more as soon as it is shown without what was answered; if
+  // something else was volunteered, once more as it is.
   const std::lock_guard<std::mutex> lock(mutex);
-  if (stillOpen(asked) && question->fluents.size() == asked.fluents.size()) question.reset();
+  if (question && asksTheSame(*question, asked) && covers(request, asked)) question.reset();
 }
 
 void AskHumanClient::Shared::complainOnce(const Question& asked, const std::string& line) {

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/ros_interface/journal.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/nil_generator.hpp>
 #include <boost/uuid/uuid_io.hpp>
-#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -18,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "descriptor.h"
+#include "durable_file.h"
 #include "goal_alignment/pddl/source_position.h"
 
 namespace goal_alignment::ros_interface {
@@ -30,8 +27,6 @@ using session::AnswerKind;
 
 constexpr int kVersion = 1;
 constexpr const char* kSuffix = ".json";
-constexpr const char* kDamagedSuffix = ".damaged";
-constexpr const char* kNewSuffix = ".new";
 
 const char* wordOf(AnswerKind kind) {
   return kind == AnswerKind::Yes ? "yes" : kind == AnswerKind::No ? "no" : "unsure";
@@ -78,37 +73,16 @@ std::vector<JournalAnswer> fromText(const std::string& text, const std::string& 
   return answers;
 }
 
-void writeAll(int descriptor, const std::string& text, const std::string& path) {
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t count = ::write(descriptor, text.data() + done, text.size() - done);
-    if (count < 0 && errno != EINTR) failWithErrno(path);
-    if (count > 0) done += static_cast<std::size_t>(count);
-  }
-}
-
-// The rename is the moment at which the new text stands for the old one, also after a power cut.
-void replaceFile(const std::string& path, const std::string& text) {
-  fs::create_directories(fs::path(path).parent_path());
-  // Of this process alone: another robot's aligner may share the folder.
-  const std::string fresh = path + kNewSuffix + std::to_string(getpid());
-  {
-    const Descriptor file(fresh, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
-    writeAll(*file, text, fresh);
-    if (fsync(*file) != 0) failWithErrno(fresh);
-  }
-  fs::rename(fresh, path);
-  const Descriptor folder(fs::path(path).parent_path(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  fsync(*folder);  // some file systems can't; the text is safe in either case
-}
-
 }  // namespace
 
-std::string journalKey(const session::Input& input, const std::string& person) {
+std::string journalKey(const session::Input& input, const std::string& person,
+                       const std::string& robot) {
   std::string all;
   // With its length before it no part can run into the next.
   const auto add = [&all](const std::string& part) {
     all += std::to_string(part.size()) + ":" + part;
   };
+  add(robot);
   add(person);
   add(input.human_domain.text);
   add(input.human_problem.text);
@@ -151,11 +125,8 @@ std::vector<JournalAnswer> Journal::read() {
   try {
     return fromText(pddl::readFile(file()).text, key_);
   } catch (const std::exception& error) {
-    const std::string aside = file() + kDamagedSuffix;
-    std::error_code failed;
-    fs::rename(file(), aside, failed);
-    report(fmt::format("the journal {} is damaged and {}: {}", file(),
-                       failed ? "can't be set aside" : "set aside as " + aside, error.what()));
+    report(fmt::format("the journal {} is damaged and {}: {}", file(), setAside(file()),
+                       error.what()));
     return {};
   }
 }
@@ -223,7 +194,7 @@ bool Journal::forget() {
   if (key_.empty()) return false;
   std::error_code gone;
   fs::remove(file(), gone);
-  fs::remove(file() + kDamagedSuffix, gone);
+  fs::remove(asideOf(file()), gone);
   writing_ = false;
   return true;
 }

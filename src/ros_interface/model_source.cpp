@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "goal_alignment/ros_interface/message_conversion.h"
 #include "goal_alignment/ros_interface/package_files.h"
@@ -16,26 +17,23 @@ pddl::Source fromFile(const std::string& file, const std::string& what) {
   return pddl::readFile(resolveFile(file));
 }
 
-void readModels(const AlignGoal& goal, const NodeOptions& options, session::Input& input) {
+session::Input modelsOf(const AlignGoal& goal, const NodeOptions& options) {
+  session::Input input;
   switch (goal.source) {
     case AlignGoal::PARAMS:
-      input.robot_domain = fromFile(options.robot_domain, "parameter ~robot_domain");
-      input.robot_problem = fromFile(options.robot_problem, "parameter ~robot_problem");
-      input.human_domain = fromFile(options.human_domain, "parameter ~human_domain");
-      input.human_problem = fromFile(options.human_problem, "parameter ~human_problem");
-      return;
+      return parameterModels(options);
     case AlignGoal::FILES:
       input.robot_domain = fromFile(goal.robot_domain, "robot_domain");
       input.robot_problem = fromFile(goal.robot_problem, "robot_problem");
       input.human_domain = fromFile(goal.human_domain, "human_domain");
       input.human_problem = fromFile(goal.human_problem, "human_problem");
-      return;
+      return input;
     case AlignGoal::TEXT:
       input.robot_domain = {"robot_domain", goal.robot_domain};
       input.robot_problem = {"robot_problem", goal.robot_problem};
       input.human_domain = {"human_domain", goal.human_domain};
       input.human_problem = {"human_problem", goal.human_problem};
-      return;
+      return input;
     default:
       throw GoalError(
           fmt::format("source is {}: expected PARAMS=0, FILES=1 or TEXT=2", int{goal.source}));
@@ -50,14 +48,24 @@ int smallerLimit(int a, int b) {
 }  // namespace
 
 session::Input inputOf(const AlignGoal& goal, const NodeOptions& options) {
-  session::Input input;
   try {
-    input.goal = toLiterals(goal.task.goal, "task.goal");
-    input.human_plan = toActions(goal.task.plan, "task.plan");
+    std::vector<Literal> wanted = toLiterals(goal.task.goal, "task.goal");
+    std::vector<GroundName> plan = toActions(goal.task.plan, "task.plan");
+    session::Input input = modelsOf(goal, options);
+    input.goal = std::move(wanted);
+    input.human_plan = std::move(plan);
+    return input;
   } catch (const std::invalid_argument& error) {
     throw GoalError(error.what());
   }
-  readModels(goal, options, input);
+}
+
+session::Input parameterModels(const NodeOptions& options) {
+  session::Input input;
+  input.robot_domain = fromFile(options.robot_domain, "parameter ~robot_domain");
+  input.robot_problem = fromFile(options.robot_problem, "parameter ~robot_problem");
+  input.human_domain = fromFile(options.human_domain, "parameter ~human_domain");
+  input.human_problem = fromFile(options.human_problem, "parameter ~human_problem");
   return input;
 }
 

@@ -117,6 +117,9 @@ NodeOptions NodeOptions::read(const XmlRpc::XmlRpcValue& values, const std::stri
   reader.read("journal_expiry", options.journal_expiry, 0, kLongestExpiry);
   options.busy_policy =
       static_cast<BusyPolicy>(reader.readChoice("busy_policy", {"wait", "refuse"}, 0));
+  reader.read("human_state_follows", options.human_state_follows);
+  reader.read("facts_expiry", options.facts_expiry, 0, kLongestExpiry);
+  reader.read("world", options.world);
   reader.read("tf_facts", options.tf_facts);
   reader.read("tf_patience", options.tf_patience, 0, 3600);
   reader.read("tf_period", options.tf_period, 0.01, 60);

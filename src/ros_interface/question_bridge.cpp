@@ -21,6 +21,7 @@ using session::CandidateState;
 using session::Receipt;
 
 constexpr std::chrono::duration<double> kGrace{kAnswerGraceSeconds};
+constexpr std::size_t kMostRefusals = 3;  // reasons that are remembered
 
 bool isAnswered(CandidateState state) {
   return state == CandidateState::Wanted || state == CandidateState::NotWanted ||
@@ -82,6 +83,7 @@ void QuestionBridge::beginSession(const std::string& session_id) {
   const std::lock_guard<std::mutex> lock(mutex_);
   under_way_ = true;
   interrupted_ = false;
+  refusals_.clear();
   if (session_id == session_id_) return;
   session_id_ = session_id;
   accepted_.clear();
@@ -137,6 +139,8 @@ std::uint32_t QuestionBridge::open(const std::vector<Literal>& fluents) {
   // The same question put once more is the one that was read.
   const bool another = last_session_ != session_id_ || last_fluents_ != question.fluents;
   question.replaced_another = another && (same_dialogue || vanished);
+  if (!another && !last_answered_) question.earlier_ids = last_ids_;
+  if (another) refusals_.clear();
   open_ = std::move(question);
   return open_->id;
 }
@@ -149,6 +153,8 @@ void QuestionBridge::close() {
 void QuestionBridge::closeOpen(bool answered) {
   if (!open_) return;
   last_fluents_ = std::move(open_->fluents);
+  last_ids_ = std::move(open_->earlier_ids);
+  last_ids_.insert(open_->id);
   open_.reset();
   last_answered_ = answered;
   last_session_ = session_id_;
@@ -213,17 +219,16 @@ void QuestionBridge::interrupt() {
 
 Receipt QuestionBridge::submit(const Answer::Request& request) {
   std::vector<Literal> fluents;
+  std::string why_not;
   try {
     fluents = distinct(toLiterals(request.fluents));
   } catch (const std::invalid_argument& error) {
-    return {false, error.what()};
+    why_not = error.what();
   }
   const std::lock_guard<std::mutex> keeping(keeping_);
   std::unique_lock<std::mutex> lock(mutex_);
-  std::string why_not = refusalOfValue(request);
-  if (why_not.empty()) why_not = refusalOfQuestion(request);
-  if (why_not.empty()) why_not = refusalOfFluents(fluents, request.question_id, false);
-  if (!why_not.empty()) return {false, why_not};
+  if (why_not.empty()) why_not = refusalOf(request, fluents);
+  if (!why_not.empty()) return refuse(why_not);
 
   AcceptedAnswer answer;
   answer.kind = static_cast<AnswerKind>(request.answer);
@@ -249,6 +254,23 @@ Receipt QuestionBridge::submit(const Answer::Request& request) {
     accept(each);
   keep(lock, accepted);
   return {true, ""};
+}
+
+// The last of the reasons stands last.
+Receipt QuestionBridge::refuse(const std::string& why_not) {
+  const std::string reason = shortened(why_not);
+  refusals_.erase(std::remove(refusals_.begin(), refusals_.end(), reason), refusals_.end());
+  if (refusals_.size() == kMostRefusals) refusals_.erase(refusals_.begin());
+  refusals_.push_back(reason);
+  return {false, why_not};
+}
+
+std::string QuestionBridge::refusals() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::string text;
+  for (const std::string& reason : refusals_)
+    text += (text.empty() ? "" : "; ") + reason;
+  return text;
 }
 
 std::vector<Literal> QuestionBridge::unanswered() const {
@@ -285,11 +307,23 @@ QuestionBridge::Revision QuestionBridge::revise(const Answer::Request& request) 
   return {{true, ""}, goes_on};
 }
 
+std::string QuestionBridge::refusalOf(const Answer::Request& request,
+                                      const std::vector<Literal>& fluents) const {
+  std::string why_not = refusalOfValue(request);
+  if (why_not.empty()) why_not = refusalOfQuestion(request);
+  if (why_not.empty()) why_not = refusalOfFluents(fluents, request.question_id, false);
+  return why_not;
+}
+
+bool QuestionBridge::isOpen(std::uint32_t id) const {
+  return open_ && (open_->id == id || open_->earlier_ids.count(id) > 0);
+}
+
 std::string QuestionBridge::refusalOfQuestion(const Answer::Request& request) const {
   const std::uint32_t id = request.question_id;
   if (!under_way_) return "no alignment is under way";
   if (id != 0) {
-    if (open_ && open_->id == id) return {};
+    if (isOpen(id)) return {};
     return ids_.issued(id) ? fmt::format("question {} is over", id)
                            : fmt::format("question {} was not asked here", id);
   }
@@ -330,6 +364,7 @@ std::string QuestionBridge::refusalOfFluent(const Literal& fluent, bool revising
 }
 
 void QuestionBridge::accept(AcceptedAnswer answer) {
+  refusals_.clear();
   count(answer);
   accepted_.push_back(std::move(answer));
   changed_.notify_all();

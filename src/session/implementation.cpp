@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "goal_alignment/common/exceptions.h"
+#include "human_state.h"
 
 namespace goal_alignment::session {
 
@@ -177,6 +178,7 @@ void Session::Implementation::run(Phase phase) {
 void Session::Implementation::read() {
   pddl::Model robot = pddl::readModel(input_.robot_domain, input_.robot_problem, limits());
   pddl::Model human = pddl::readModel(input_.human_domain, input_.human_problem, limits());
+  takeUp(input_.human_facts, input_.human_plan, robot, human, limits());
   unit_costs_ = !(options_.costs && robot.has_costs && human.has_costs);
   problem_ = std::make_unique<alignment::Problem>(alignment::makeProblem(
       std::move(robot), std::move(human), input_.goal, input_.human_plan, limits()));

@@ -162,6 +162,34 @@ TEST_F(AnswerService, silenceUntilAskTimeoutEndsUndecided) {
   EXPECT_FALSE(answer(Answer::Request::NO, question.question_id).accepted);
 }
 
+TEST_F(AnswerService, whoAnswersAQuestionThatWasPutAgainMeantThatOne) {
+  const Parameter timeout("ask_timeout", 0.3);
+  const Parameter retries("ask_retries", 1000);
+  const Question first = sendAndAwaitQuestion(sweepHall());
+  const Question again = awaitQuestionAfter(first.question_id);
+  EXPECT_EQ(again.text, first.text);
+  const auto late = answer(Answer::Request::NO, first.question_id);
+  EXPECT_TRUE(late.accepted) << late.message;
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::SUCCESS) << result.message;
+  EXPECT_EQ(result.questions, 1U);
+  EXPECT_EQ(answer(Answer::Request::NO, first.question_id).message, "no alignment is under way");
+}
+
+TEST_F(AnswerService, thatAllAnswersWereRefusedIsSaidInTheEnd) {
+  const Parameter timeout("ask_timeout", 1.0);
+  const Parameter retries("ask_retries", 2);
+  const Question question = sendAndAwaitQuestion(sweepHall());
+  EXPECT_FALSE(answer(7, question.question_id).accepted);
+  EXPECT_FALSE(answer(Answer::Request::NO, 0, {"(clean hall)"}).accepted);
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::NO_ANSWER) << result.message;
+  EXPECT_NE(result.message.find("answers came, all refused: 7 is no answer"), std::string::npos)
+      << result.message;
+  EXPECT_NE(result.message.find("(clean hall) is part of the specified goal"), std::string::npos)
+      << result.message;
+}
+
 TEST_F(AnswerService, aRevisedAnswerLeadsTheSessionOn) {
   const Question question = sendAndAwaitQuestion(sweepHall());
   EXPECT_TRUE(answer(Answer::Request::YES, question.question_id).accepted);

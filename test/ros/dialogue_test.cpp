@@ -292,6 +292,23 @@ TEST_F(OddDialogue, thatAnswersFluentsOfNoQuestionIsRefused) {
       "(room hall) is no part of question");
 }
 
+TEST_F(OddDialogue, thatVolunteersSomethingElseIsHeardAndAskedAgain) {
+  std::string other;
+  answersFirst([&](const Question& question) {
+    const bool hall = question.fluents.at(0).args.at(0) == "hall";
+    other = hall ? "(quiet kitchen)" : "(quiet hall)";
+    return answered(AskHuman::Response::NO, 0, {other});
+  });
+  align_.sendGoal(sweepBothRooms());
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::SUCCESS) << result.message;
+  EXPECT_EQ(asked_, 2) << "the same question";
+  EXPECT_EQ(result.questions, 1U);
+  for (const Candidate& candidate : result.candidates) {
+    if (textOf(candidate.fluent) == other) EXPECT_EQ(int{candidate.state}, Candidate::NOT_WANTED);
+  }
+}
+
 TEST_F(OddDialogue, thatAnswersWhatNobodyCanReadIsRefused) {
   expectRefused(
       [](const Question& question) {

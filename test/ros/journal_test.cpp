@@ -2,6 +2,7 @@
 // Dialogues that were broken off and go on: what was answered is not asked again.
 #include <std_srvs/Trigger.h>
 
+#include <csignal>
 #include <filesystem>
 
 #include "generated_tasks.h"
@@ -158,6 +159,44 @@ TEST_F(JournalScenario, otherPersonsAndOtherPlansHaveOtherEntries) {
   EXPECT_EQ(entries(), 3U);
 
   EXPECT_TRUE(areAboutTheSame(sendAndAwaitQuestion(sweepBothRooms()), second));
+}
+
+TEST_F(JournalScenario, anotherRobotBelowTheSameFolderKnowsNothingOfIt) {
+  const auto [first, second] = breakOff(sweepBothRooms());
+  Program other(NODE_FOLDER "/goal_alignment_node", {"__ns:=/other"}, {{"ROS_HOME", home_.path()}},
+                home_.path() + "/other");
+  AlignClient client(node_, "/other/goal_alignment/align");
+  Topic<Question> questions(node_, "/other/goal_alignment/question");
+  ASSERT_TRUE(isLinked(client, "/other/goal_alignment", "/other/goal_alignment/align"));
+  client.sendGoal(sweepBothRooms());
+  const auto asked = questions.waitFor([](const Question& shown) { return shown.question_id > 0; });
+  ASSERT_TRUE(asked) << textOf(home_.path() + "/other");
+  EXPECT_TRUE(areAboutTheSame(*asked, first)) << "it was answered to the other robot";
+  other.signal(SIGKILL);
+  other.exitStatus();
+  EXPECT_TRUE(areAboutTheSame(sendAndAwaitQuestion(sweepBothRooms()), second));
+}
+
+TEST_F(JournalScenario, aDialogueThatWasDeclinedGoesOn) {
+  const auto [first, second] = answerTheFirst(sweepBothRooms());
+  EXPECT_TRUE(answer(Answer::Request::DECLINE, second.question_id).accepted);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::DECLINED);
+  EXPECT_EQ(entries(), 1U);
+  EXPECT_TRUE(areAboutTheSame(sendAndAwaitQuestion(sweepBothRooms()), second));
+}
+
+TEST_F(JournalScenario, aDialogueThatNobodyIsSureOfKeepsItsAnswers) {
+  const auto [first, second] = answerTheFirst(sweepBothRooms());
+  EXPECT_TRUE(answer(Answer::Request::UNSURE, second.question_id).accepted);
+  EXPECT_EQ(awaitResult().outcome, AlignResult::UNSURE_BLOCKS);
+  EXPECT_EQ(entries(), 1U);
+  killAligner();
+  startAligner();
+  align_.sendGoal(sweepBothRooms());
+  const AlignResult again = awaitResult();
+  EXPECT_EQ(again.outcome, AlignResult::UNSURE_BLOCKS);
+  EXPECT_EQ(again.questions, 0U);
+  EXPECT_EQ(int{answered(again.candidates, first).state}, Candidate::NOT_WANTED);
 }
 
 TEST_F(JournalScenario, anEntryOlderThanJournalExpiryIsDeletedAndAYoungerOneUsed) {

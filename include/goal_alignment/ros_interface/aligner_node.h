@@ -7,11 +7,14 @@
 #include <ros/service_server.h>
 #include <ros/spinner.h>
 #include <ros/subscriber.h>
+#include <ros/wall_timer.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "goal_alignment/Answer.h"
 #include "goal_alignment/Explain.h"
@@ -28,11 +31,13 @@
 #include "goal_alignment/ros_interface/explainer.h"
 #include "goal_alignment/ros_interface/journal.h"
 #include "goal_alignment/ros_interface/marker_publisher.h"
+#include "goal_alignment/ros_interface/parameter_models.h"
 #include "goal_alignment/ros_interface/plan_watch.h"
 #include "goal_alignment/ros_interface/question_bridge.h"
 #include "goal_alignment/ros_interface/robot_facts.h"
 #include "goal_alignment/ros_interface/task_intake.h"
 #include "goal_alignment/ros_interface/tf_state_bridge.h"
+#include "goal_alignment/ros_interface/under_way.h"
 
 namespace goal_alignment::ros_interface {
 
@@ -57,9 +62,14 @@ class AlignerNode {
   bool explain(Explain::Request& request, Explain::Response& response);
   bool forget(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool setFacts(SetFacts::Request& request, SetFacts::Response& response);
+  bool setHumanFacts(SetFacts::Request& request, SetFacts::Response& response);
+  bool forgetFacts(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool getFacts(GetFacts::Request& request, GetFacts::Response& response);
   session::Receipt submit(const Answer::Request& request);
   void checkParameters();
+  void takeUpKeptFacts(const NodeOptions& options);
+  void tellOfLostTask();
+  void tellNews();
   void nudgeSolver();
 
   template <typename Service>
@@ -74,7 +84,10 @@ class AlignerNode {
   tf2_ros::Buffer frames_;
   tf2_ros::TransformListener frame_listener_;
   MarkerPublisher markers_;
+  FactFile fact_file_;
   RobotFacts facts_;
+  ParameterModels models_;
+  UnderWay under_way_;
   TfStateBridge tf_;
   Explainer explainer_;
   QuestionBridge bridge_;
@@ -96,10 +109,16 @@ class AlignerNode {
   ros::CallbackQueue facts_callbacks_;
   ros::ServiceServer validate_service_;
   ros::ServiceServer explain_service_;
+  ros::ServiceServer set_human_facts_service_;
+  ros::ServiceServer forget_facts_service_;
   ros::ServiceServer get_facts_service_;
   ros::AsyncSpinner validate_spinner_;
   ros::AsyncSpinner explain_spinner_;
   ros::AsyncSpinner facts_spinner_;
+
+  std::vector<std::string> news_;  // of the start, told once others have had time to listen
+  int news_waited_ = 0;
+  ros::WallTimer news_timer_;
 };
 
 }  // namespace goal_alignment::ros_interface

@@ -24,6 +24,7 @@
 #include "goal_alignment/ros_interface/question_bridge.h"
 #include "goal_alignment/ros_interface/robot_facts.h"
 #include "goal_alignment/ros_interface/tf_state_bridge.h"
+#include "goal_alignment/ros_interface/under_way.h"
 #include "goal_alignment/session/session.h"
 
 namespace goal_alignment::ros_interface {
@@ -39,6 +40,7 @@ class AlignmentRunner {
     AskHumanClient& ask_human;
     Journal& journal;
     RobotFacts& facts;
+    UnderWay& under_way;
     TfStateBridge& tf;
     Explainer& explainer;
     PlanWatch& plan_watch;
@@ -106,6 +108,7 @@ class AlignmentRunner {
   void endWith(GoalTicket& ticket, const session::Outcome& outcome);
 
   // alignment_facts.cpp: what is so in the robot's world
+  void inheritFacts(const NodeOptions& options, session::Input& input);
   void checkRules();
   void takeUpFacts();
   void missFacts(const whereabouts::Observation& seen);
@@ -133,6 +136,7 @@ class AlignmentRunner {
   void beginPatience();
   void putQuestion(GoalTicket& ticket, const session::Snapshot& now);
   void closeQuestion();
+  void hideQuestion();  // it can still be answered
 
   // alignment_reports.cpp: what is said about the session
   void report(GoalTicket& ticket, const session::Snapshot& now, const std::string& message);
@@ -149,6 +153,7 @@ class AlignmentRunner {
   AskHumanClient& ask_human_;
   Journal& journal_;
   RobotFacts& facts_;
+  UnderWay& under_way_;
   TfStateBridge& tf_;
   Explainer& explainer_;
   PlanWatch& plan_watch_;

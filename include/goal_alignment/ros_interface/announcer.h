@@ -33,6 +33,8 @@ class Announcer {
   void tell(const std::string& line);
   /// The same, of something that somebody should mend.
   void warn(const std::string& line);
+  /// Whether anybody would hear an event.
+  bool isHeard() const { return events_.getNumSubscribers() > 0; }
 
   // As last published.
   AlignmentState state() const;

@@ -16,7 +16,8 @@ namespace goal_alignment::ros_interface {
 /// Puts the open question to whoever offers `ask_human`. roscpp's service calls have no time-out
 /// and a person may never answer, so the calls run on a thread of their own, one at a time. A call
 /// for a question that is over is abandoned: its answer will be refused as stale, and until it
-/// returns newer questions go out on ~question only. Waits for a dialogue node that is not there,
+/// returns newer questions go out on ~question only. An answer to an earlier put of a question that
+/// is open still counts. Waits for a dialogue node that is not there,
 /// and asks again when one died or left the question unanswered, as long as the question is open.
 class AskHumanClient {
  public:

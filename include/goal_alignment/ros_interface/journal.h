@@ -22,10 +22,13 @@ struct JournalAnswer {
   ros::Time at;
 };
 
-/// What of a task its answers hold for, whatever the robot can do or finds: D^H, I^H, π^H, G^H and
-/// the person. Equal tasks have equal keys, across restarts and versions. G^H is the goal given, or
-/// else that of the human's problem with all its conditions, whose text is part of the key.
-std::string journalKey(const session::Input& input, const std::string& person);
+/// What of a task its answers hold for, whatever the robot can do or finds: D^H, I^H, π^H, G^H, the
+/// person, and the robot that asked, by its node's name. Equal tasks have equal keys, across
+/// restarts and versions. G^H is the goal given, or else that of the human's problem with all its
+/// conditions, whose text is part of the key. What has become so for the person since that file was
+/// written is not: the answers still say what they want.
+std::string journalKey(const session::Input& input, const std::string& person,
+                       const std::string& robot);
 
 /// Answers on disk, so that a dialogue that was broken off, by a cancel or by a crash, goes on
 /// where it was: one JSON file a task, replaced as a whole, so that a reader finds an old or a new

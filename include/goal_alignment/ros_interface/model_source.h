@@ -24,6 +24,9 @@ class GoalError : public std::runtime_error {
 /// Throws GoalError, ParameterError, or pddl::InputError for a file that can't be read.
 session::Input inputOf(const AlignGoal& goal, const NodeOptions& options);
 
+/// The models alone that the parameters name; it throws the same.
+session::Input parameterModels(const NodeOptions& options);
+
 /// The session's options: the parameters, with what the goal says about them; no unsure_policy
 /// where a session that goes on keeps its own. Throws GoalError.
 session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options);

@@ -33,6 +33,8 @@ constexpr const char* kValidateService = "validate";
 constexpr const char* kExplainService = "explain";
 constexpr const char* kForgetService = "forget";
 constexpr const char* kSetFactsService = "set_facts";
+constexpr const char* kSetHumanFactsService = "set_human_facts";
+constexpr const char* kForgetFactsService = "forget_facts";
 constexpr const char* kGetFactsService = "get_facts";
 
 constexpr const char* kAlignerQuestionTopic = "goal_alignment/question";

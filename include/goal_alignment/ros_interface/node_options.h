@@ -43,6 +43,12 @@ struct NodeOptions {
   double journal_expiry = 604800;
 
   BusyPolicy busy_policy = BusyPolicy::Wait;  ///< wait, refuse
+  /// Whether what the robot reports is so for the person as well, in later tasks.
+  bool human_state_follows = true;
+  /// Seconds, 0 … 31536000: for so long facts that were set are kept on disk for after a restart;
+  /// 0: not at all. Read at the start alone, like the next one.
+  double facts_expiry = 604800;
+  std::string world;  ///< kept facts hold in the world of this name alone
 
   std::string tf_facts;  ///< YAML file: facts from where things are; "": none
   double tf_patience =

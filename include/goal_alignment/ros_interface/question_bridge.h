@@ -36,7 +36,8 @@ struct AcceptedAnswer {
 /// submit answers and learn at once whether they are taken; the solver thread opens questions,
 /// waits, and takes the answers out. What is refused is decided against a snapshot of the
 /// candidates, on which answers already accepted count, so that of two answerers who race one is
-/// told that they were too late.
+/// told that they were too late. A question that is put again after silence has a new id; who still
+/// answers to an earlier one means the same question.
 class QuestionBridge {
  public:
   using Clock = std::chrono::steady_clock;
@@ -61,7 +62,8 @@ class QuestionBridge {
   /// The candidates as the session sees them, after every step.
   void update(const session::Snapshot& snapshot);
   /// Opens a question and returns its id; 0 and nothing, as long as an accepted answer waits to be
-  /// taken: it may be the answer to this very question.
+  /// taken: it may be the answer to this very question. Where the last one was about the same
+  /// fluents and nobody answered it, this is that one put again.
   std::uint32_t open(const std::vector<Literal>& fluents);
   void close();
   /// Waits for the keeping of those that were accepted a moment ago.
@@ -95,10 +97,14 @@ class QuestionBridge {
   Unshown unshown() const;
   /// 0: none is open.
   std::uint32_t openId() const;
+  /// Why answers were refused since the open question was put first, or since one was accepted, the
+  /// last ones, each once, as one text; empty: none was.
+  std::string refusals() const;
 
  private:
   struct OpenQuestion {
     std::uint32_t id = 0;
+    std::set<std::uint32_t> earlier_ids;  // of the same question, put before in vain
     std::set<Literal> fluents;
     bool replaced_another = false;
     Clock::time_point opened;
@@ -108,10 +114,13 @@ class QuestionBridge {
   void keep(std::unique_lock<std::mutex>& lock, const std::vector<AcceptedAnswer>& answers) const;
 
   // All below need mutex_. Refusals say why not; empty: nothing speaks against it.
+  std::string refusalOf(const Answer::Request& request, const std::vector<Literal>& fluents) const;
   std::string refusalOfQuestion(const Answer::Request& request) const;
   std::string refusalOfFluents(const std::vector<Literal>& fluents, std::uint32_t question_id,
                                bool revising) const;
   std::string refusalOfFluent(const Literal& fluent, bool revising) const;
+  bool isOpen(std::uint32_t id) const;
+  session::Receipt refuse(const std::string& why_not);
   std::vector<Literal> unanswered() const;
   void accept(AcceptedAnswer answer);
   void count(const AcceptedAnswer& answer);
@@ -130,6 +139,7 @@ class QuestionBridge {
   std::optional<OpenQuestion> open_;
   std::string last_session_;  // of the question before
   std::set<Literal> last_fluents_;
+  std::set<std::uint32_t> last_ids_;
   bool last_answered_ = false;
   std::optional<Clock::time_point> last_closed_;
   bool candidates_known_ = false;
@@ -137,6 +147,7 @@ class QuestionBridge {
   std::map<Literal, session::CandidateState> candidates_;
   std::vector<AcceptedAnswer> accepted_;
   std::vector<AcceptedAnswer> taken_;  // since a state was published
+  std::vector<std::string> refusals_;
 };
 
 }  // namespace goal_alignment::ros_interface

@@ -12,6 +12,8 @@
 #include "goal_alignment/GetFacts.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/pddl/model.h"
+#include "goal_alignment/ros_interface/fact_file.h"
+#include "goal_alignment/ros_interface/said_facts.h"
 #include "goal_alignment/session/session.h"
 #include "goal_alignment/whereabouts/observer.h"
 
@@ -20,14 +22,33 @@ namespace goal_alignment::ros_interface {
 /// What is so in the robot's world: the problem file of the session under way, or of the last one,
 /// which a goal may continue, changed by what ~set_facts said, and last of all by what was seen of
 /// where things are. Facts that were set also hold for later tasks whose models come from
-/// parameters; a goal that brings its own robot problem says itself what is so. Thread-safe.
+/// parameters, across restarts where there is a file, and so does what the person has come to
+/// believe; a goal that brings its own problems says itself what is so. Thread-safe.
 class RobotFacts {
  public:
+  /// `file` keeps the facts across restarts, and outlives this; null: nothing does.
+  explicit RobotFacts(FactFile* file = nullptr) : file_(file) {}
+
+  /// The models that the parameters name. What was kept for them is taken up the first time; a line
+  /// for people says so, and is empty where there is nothing to say.
+  std::string follow(const FactScope& scope, double expiry);
+
   /// All of the facts are taken, or none: a fact that the robot's model of the session can't have,
   /// a name that is none, or a fact both true and false is refused with its index. What the rules
   /// own (null: nothing) is left to them, and the message says so; with nothing else that is a
-  /// refusal. Where a rule trusts the file, it trusts what was set as well.
+  /// refusal. Where a rule trusts the file, it trusts what was set as well. The person follows all
+  /// that was reported, what tf owns included: they know what was carried out.
   session::Receipt set(const std::vector<Fluent>& facts, const whereabouts::Rules* rules);
+
+  /// The same of what the person believes, from the next task on; `human` refuses what their model
+  /// can't have (null: nothing is refused for it).
+  session::Receipt setHuman(const std::vector<Fluent>& facts, const pddl::Model* human);
+
+  /// What has come to be so for the person; `follows`: also what the robot reported.
+  std::vector<session::HumanFact> believed(bool follows) const;
+
+  /// Nothing was ever set; the number of facts forgotten. The session under way forgets them, too.
+  std::size_t forget();
 
   /// Changes when the facts of the session may have.
   unsigned version() const { return version_; }
@@ -47,6 +68,11 @@ class RobotFacts {
   /// The answer of ~get_facts. Never waits for the solver thread.
   GetFacts::Response tell(const whereabouts::Observation& seen) const;
 
+  /// Before any task, of the model that it would have; null: none, and `why_not` says why.
+  GetFacts::Response tellBefore(const std::shared_ptr<const pddl::Model>& model,
+                                const std::string& why_not,
+                                const whereabouts::Observation& seen) const;
+
  private:
   using Changes = std::map<GroundName, bool>;
 
@@ -58,12 +84,20 @@ class RobotFacts {
   };
 
   World world() const;
+  void keep() const;
+  static std::string read(const std::vector<Fluent>& facts, const pddl::Model* model,
+                          const std::string& whose, Changes& changes);
+  static GetFacts::Response told(const World& world, const whereabouts::Observation& seen);
   static std::vector<GroundName> stateOf(const World& world, const whereabouts::Observation& seen,
                                          std::vector<GroundName>& left_out);
 
+  FactFile* const file_;
+  std::mutex keeping_;  // of who changes the facts, until they are kept; before mutex_
+  bool followed_ = false;
+  FactScope scope_;
   std::atomic<unsigned> version_{1};
-  mutable std::mutex mutex_;  // guards all below
-  Changes all_;
+  mutable std::mutex mutex_;  // guards the two below
+  SaidFacts said_;
   World world_;
 };
 

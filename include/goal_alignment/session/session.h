@@ -44,6 +44,13 @@ namespace goal_alignment::session {
 
 enum class State : std::uint8_t { Idle, Analysing, AwaitingAnswer, Done };
 
+/// Something that is so, or not so, for the human now, whatever their problem file says.
+struct HumanFact {
+  Literal fact;
+  bool of_robot = false;  ///< the robot reported it: counts where both models have the predicate,
+                          ///< and where the human's plan does not need the contrary
+};
+
 /// Texts of the four files and the human's plan. An empty goal means the problem files' goal.
 struct Input {
   pddl::Source robot_domain;
@@ -52,6 +59,8 @@ struct Input {
   pddl::Source human_problem;
   std::vector<Literal> goal;
   std::vector<GroundName> human_plan;  ///< empty: the human expects what they believe is so now
+  std::vector<HumanFact>
+      human_facts;  ///< later ones count; what their model can't have is left out
 };
 
 enum class AnswerKind : std::int8_t { No = 0, Yes = 1, Unsure = 2, Decline = 3 };

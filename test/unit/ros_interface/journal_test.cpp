@@ -204,27 +204,30 @@ TEST_F(JournalTest, aFolderThatCannotBeIsComplainedOfOnce) {
   EXPECT_FALSE(journal_->trouble().empty());
 }
 
-TEST(JournalKey, dependsOnWhatThePersonKnowsAlone) {
+TEST(JournalKey, dependsOnWhatThePersonKnowsAndOnWhoAsks) {
   session::Input input;
   input.robot_domain.text = "rd";
   input.human_domain.text = "hd";
   input.human_problem.text = "hp";
   input.goal = {Literal::parse("(g)"), Literal::parse("(h)")};
   input.human_plan = {GroundName::parse("(a x)")};
-  const std::string key = journalKey(input, "Ann");
+  const std::string key = journalKey(input, "Ann", "/r");
 
   session::Input other = input;
   other.robot_domain.text = "something else";
   other.robot_problem.text = "what is so now";
   other.human_domain.name = "another file";
   other.goal = {Literal::parse("(H)"), Literal::parse("(g)")};
-  EXPECT_EQ(journalKey(other, "Ann"), key);
+  other.human_facts = {{Literal::parse("(f)"), true}};
+  EXPECT_EQ(journalKey(other, "Ann", "/r"), key);
 
-  EXPECT_NE(journalKey(input, "Bob"), key);
+  EXPECT_NE(journalKey(input, "Bob", "/r"), key);
+  EXPECT_NE(journalKey(input, "Ann", "/s"), key) << "what one robot was told is no other's";
+  EXPECT_NE(journalKey(input, "", "/rAnn"), journalKey(input, "Ann", "/r"));
   const auto changed = [&](void (*change)(session::Input&)) {
     session::Input copy = input;
     change(copy);
-    return journalKey(copy, "Ann");
+    return journalKey(copy, "Ann", "/r");
   };
   EXPECT_NE(changed([](session::Input& i) { i.human_domain.text += " "; }), key);
   EXPECT_NE(changed([](session::Input& i) { i.human_problem.text += " "; }), key);

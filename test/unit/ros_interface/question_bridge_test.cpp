@@ -436,8 +436,64 @@ TEST_F(Bridge, aQuestionPutAgainNeedsNoGrace) {
   bridge_.close();
   const std::uint32_t again = bridge_.open({literal("(a)")});
   EXPECT_GT(again, first);
-  EXPECT_FALSE(submit(kNo, first).accepted);
   EXPECT_TRUE(submit(kNo).accepted);
+}
+
+TEST_F(Bridge, anAnswerToAnEarlierPutOfTheOpenQuestionCounts) {
+  const std::uint32_t first = bridge_.open({literal("(a)"), literal("(b)")});
+  bridge_.close();
+  const std::uint32_t second = bridge_.open({literal("(b)"), literal("(a)")});
+  const std::uint32_t third = bridge_.open({literal("(a)"), literal("(b)")});
+  EXPECT_TRUE(submit(kYes, first, {"(a)"}).accepted);
+  const auto answers = bridge_.take();
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0].question_id, third);
+  EXPECT_EQ(answers[1].kind, AnswerKind::No) << "of a group, as with the newest id";
+  for (const std::uint32_t id : {first, second, third})
+    EXPECT_EQ(submit(kNo, id).message, "question " + std::to_string(id) + " is over");
+}
+
+TEST_F(Bridge, anEarlierPutIsOverWithAnAnswerAnotherQuestionAndAnotherSession) {
+  const std::uint32_t answered = bridge_.open({literal("(a)")});
+  EXPECT_TRUE(submit(kNo, answered).accepted);
+  (void)bridge_.take();
+  bridge_.open({literal("(a)")});  // the session has lost that answer: it asks for a new one
+  EXPECT_FALSE(submit(kNo, answered).accepted);
+  const std::uint32_t replaced = bridge_.open({literal("(b)")});
+  bridge_.open({literal("(a)")});
+  bridge_.open({literal("(b)")});
+  EXPECT_FALSE(submit(kNo, replaced).accepted) << "another one came in between";
+  const std::uint32_t before = bridge_.openId();
+  bridge_.endSession();
+  bridge_.beginSession("t");
+  bridge_.update(snapshotWith({{"(b)", CandidateState::Open}}));
+  bridge_.open({literal("(b)")});
+  EXPECT_FALSE(submit(kNo, before).accepted);
+}
+
+TEST_F(Bridge, remembersWhyAnswersToTheOpenQuestionWereRefused) {
+  bridge_.open({literal("(a)")});
+  EXPECT_EQ(bridge_.refusals(), "");
+  EXPECT_FALSE(submit(9).accepted);
+  EXPECT_FALSE(submit(kNo, 0, {"(x"}).accepted);
+  EXPECT_FALSE(submit(kNo, 0, {"(g)"}).accepted);
+  EXPECT_FALSE(submit(9).accepted);
+  EXPECT_FALSE(submit(kNo, 0, {"(c)"}).accepted);
+  const std::string nine = "9 is no answer: expected NO=0, YES=1, UNSURE=2 or DECLINE=3";
+  const std::string last = "(g) is part of the specified goal; " + nine +
+                           "; (c) is answered already: use ~revise_answer";
+  EXPECT_EQ(bridge_.refusals(), last);
+  bridge_.open({literal("(a)")});
+  EXPECT_EQ(bridge_.refusals(), last) << "it is the same, put again";
+  EXPECT_TRUE(submit(kNo, 0, {"(b)"}).accepted);
+  EXPECT_EQ(bridge_.refusals(), "");
+  EXPECT_FALSE(submit(9).accepted);
+  (void)bridge_.take();
+  bridge_.open({literal("(b)")});
+  EXPECT_EQ(bridge_.refusals(), "") << "they were about another one";
+  EXPECT_FALSE(submit(9).accepted);
+  bridge_.beginSession("s");
+  EXPECT_EQ(bridge_.refusals(), "");
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 #include "goal_alignment/ros_interface/robot_facts.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 namespace goal_alignment::ros_interface {
 namespace {
@@ -168,6 +171,145 @@ TEST(RobotFacts, thatComeFromTfCannotBeSet) {
             names({"(clean hall)", "(lit attic)", "(lit hall)"}));
   EXPECT_EQ(facts.state(trusting.observe({seenAt(9)}), left_out),
             names({"(clean hall)", "(lit attic)"}));
+}
+
+std::string believed(const RobotFacts& facts, bool follows = true) {
+  std::string text;
+  for (const session::HumanFact& each : facts.believed(follows))
+    text += (text.empty() ? "" : " ") + each.fact.text();
+  return text;
+}
+
+TEST(RobotFacts, areFollowedByThePersonAlsoWhereTfOwnsThem) {
+  RobotFacts facts;
+  facts.beginSession("one", true);
+  facts.setModel(hall());
+  const auto strict = switchRule("fail").rules();
+  EXPECT_FALSE(facts.set({fact("lit", {"hall"})}, strict.get()).accepted);
+  EXPECT_TRUE(facts.set({fact("clean", {"hall"}, true)}, strict.get()).accepted);
+  EXPECT_FALSE(facts.set({fact("dark", {"hall"})}, strict.get()).accepted);
+  EXPECT_EQ(believed(facts), "(not (clean hall)) (lit hall)");
+  EXPECT_EQ(believed(facts, false), "");
+}
+
+TEST(RobotFacts, ofThePersonAreTakenAllOrNone) {
+  RobotFacts facts;
+  const pddl::Model human = hall();
+  EXPECT_FALSE(facts.setHuman({}, &human).accepted);
+  const auto refused = facts.setHuman({fact("lit", {"hall"}), fact("dark", {"hall"})}, &human);
+  EXPECT_FALSE(refused.accepted);
+  EXPECT_NE(refused.message.find("facts[1]: the person's model can't have (dark hall)"),
+            std::string::npos)
+      << refused.message;
+  EXPECT_EQ(believed(facts), "");
+  EXPECT_TRUE(facts.setHuman({fact("lit", {"hall"})}, &human).accepted);
+  EXPECT_TRUE(facts.setHuman({fact("dark", {"hall"})}, nullptr).accepted) << "its model is unknown";
+  EXPECT_EQ(believed(facts, false), "(dark hall) (lit hall)");
+  facts.beginSession("one", true);
+  facts.setModel(hall());
+  EXPECT_EQ(stateOf(facts), names({"(clean hall)"})) << "the robot's world is as it was";
+}
+
+TEST(RobotFacts, areForgottenByTheSessionUnderWayAsWell) {
+  RobotFacts facts;
+  facts.beginSession("one", true);
+  facts.setModel(hall());
+  facts.set({fact("lit", {"hall"}), fact("clean", {"hall"}, true)}, nullptr);
+  facts.setHuman({fact("lit", {"hall"})}, nullptr);
+  const unsigned before = facts.version();
+  EXPECT_EQ(facts.forget(), 3U);
+  EXPECT_NE(facts.version(), before);
+  EXPECT_EQ(stateOf(facts), names({"(clean hall)"}));
+  EXPECT_EQ(believed(facts), "");
+}
+
+TEST(RobotFacts, areToldOfTheNextTaskBeforeThereIsOne) {
+  RobotFacts facts;
+  EXPECT_FALSE(facts.tellBefore(nullptr, "no file", {}).known);
+  EXPECT_NE(facts.tellBefore(nullptr, "no file", {}).message.find("no file"), std::string::npos);
+  facts.set({fact("lit", {"hall"}), fact("dark", {"hall"})}, nullptr);
+  const auto told = facts.tellBefore(std::make_shared<const pddl::Model>(hall()), "", {});
+  EXPECT_TRUE(told.known);
+  EXPECT_EQ(told.session_id, "");
+  ASSERT_EQ(told.facts.size(), 2U) << "what the model can't have is left out";
+  EXPECT_EQ(told.facts[1].name, "lit");
+}
+
+class KeptRobotFacts : public testing::Test {
+ protected:
+  KeptRobotFacts()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("robot_facts_test." + std::to_string(getpid()))) {}
+  ~KeptRobotFacts() override { std::filesystem::remove_all(folder_); }
+
+  // As after a restart.
+  std::unique_ptr<FactFile> file() {
+    return std::make_unique<FactFile>(folder_.string(), "/r",
+                                      [](const std::string& line) { ADD_FAILURE() << line; });
+  }
+
+  static FactScope scope(const std::string& problem = "") {
+    session::Input models;
+    models.robot_problem.text = problem;
+    return FactScope::of(models, "");
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(KeptRobotFacts, holdAgainAfterARestartAndSaySoOnce) {
+  const auto before = file();
+  RobotFacts facts(before.get());
+  EXPECT_EQ(facts.follow(scope(), 60), "");
+  facts.set({fact("lit", {"hall"})}, nullptr);
+  facts.setHuman({fact("lit", {"attic"})}, nullptr);
+
+  const auto after = file();
+  RobotFacts again(after.get());
+  const std::string line = again.follow(scope(), 60);
+  EXPECT_EQ(line.find("2 facts that were set before the restart hold again, 1 of them about"), 0U)
+      << line;
+  EXPECT_EQ(again.follow(scope(), 60), "");
+  again.beginSession("one", true);
+  again.setModel(hall());
+  EXPECT_EQ(stateOf(again), names({"(clean hall)", "(lit hall)"}));
+  EXPECT_EQ(believed(again), "(lit attic) (lit hall)");
+
+  EXPECT_EQ(again.forget(), 2U);
+  const auto last = file();
+  EXPECT_EQ(RobotFacts(last.get()).follow(scope(), 60), "");
+}
+
+TEST_F(KeptRobotFacts, thatWereSetBeforeTheModelsCouldBeReadAreKeptAfterThose) {
+  const auto before = file();
+  RobotFacts facts(before.get());
+  facts.follow(scope(), 60);
+  facts.set({fact("lit", {"hall"}), fact("lit", {"attic"})}, nullptr);
+
+  const auto after = file();
+  RobotFacts again(after.get());
+  again.set({fact("lit", {"hall"}, true)}, nullptr);
+  EXPECT_NE(again.follow(scope(), 60), "");
+  again.beginSession("one", true);
+  again.setModel(hall());
+  EXPECT_EQ(stateOf(again), names({"(clean hall)", "(lit attic)"}));
+
+  const auto later = file();
+  RobotFacts last(later.get());
+  last.follow(scope(), 60);
+  EXPECT_EQ(believed(last), "(lit attic) (not (lit hall))");
+}
+
+TEST_F(KeptRobotFacts, areOfTheModelsThatTheNodeFollowsNow) {
+  const auto before = file();
+  RobotFacts facts(before.get());
+  facts.follow(scope("first"), 60);
+  facts.set({fact("lit", {"hall"})}, nullptr);
+  facts.follow(scope("second"), 60);
+  EXPECT_EQ(believed(facts), "(lit hall)") << "they hold as long as the node lives";
+
+  const auto after = file();
+  EXPECT_NE(RobotFacts(after.get()).follow(scope("second"), 60), "");
 }
 
 }  // namespace

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/parameter_models.h"
+
+#include <exception>
+
+#include "goal_alignment/ros_interface/model_source.h"
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+constexpr double kSeconds = 5;  // for one pair of files
+constexpr std::size_t kBytes = std::size_t{1} << 30U;
+
+}  // namespace
+
+ParameterModels::Model ParameterModels::robot(std::string& why_not) {
+  try {
+    const session::Input files = parameterModels(NodeOptions::read(private_node_));
+    return of(robot_, files.robot_domain, files.robot_problem, why_not);
+  } catch (const std::exception& error) {
+    why_not = error.what();
+    return nullptr;
+  }
+}
+
+ParameterModels::Model ParameterModels::human(std::string& why_not) {
+  try {
+    const session::Input files = parameterModels(NodeOptions::read(private_node_));
+    return of(human_, files.human_domain, files.human_problem, why_not);
+  } catch (const std::exception& error) {
+    why_not = error.what();
+    return nullptr;
+  }
+}
+
+ParameterModels::Model ParameterModels::of(Read& last, const pddl::Source& domain,
+                                           const pddl::Source& problem, std::string& why_not) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool known = last.model || !last.why_not.empty();
+  if (!known || last.domain != domain.text || last.problem != problem.text) {
+    last = {domain.text, problem.text, nullptr, ""};
+    Limits limits;
+    limits.bytes = kBytes;
+    try {
+      last.model = std::make_shared<const pddl::Model>(
+          pddl::readModel(domain, problem, limits.withSeconds(kSeconds)));
+    } catch (const std::exception& error) {
+      last.why_not = error.what();
+    }
+  }
+  why_not = last.why_not;
+  return last.model;
+}
+
+}  // namespace goal_alignment::ros_interface

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "goal_alignment/ros_interface/under_way.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace goal_alignment::ros_interface {
+namespace {
+
+namespace fs = std::filesystem;
+
+class UnderWayTest : public testing::Test {
+ protected:
+  UnderWayTest()
+      : folder_(fs::temp_directory_path() / ("under_way_test." + std::to_string(getpid()))) {}
+  ~UnderWayTest() override { fs::remove_all(folder_); }
+
+  // As after a restart.
+  UnderWay noteOf(const std::string& robot = "/r") {
+    return UnderWay(folder_.string(), robot,
+                    [this](const std::string& line) { complaints_.push_back(line); });
+  }
+
+  fs::path folder_;
+  std::vector<std::string> complaints_;
+};
+
+TEST_F(UnderWayTest, aTaskThatDidNotEndIsToldOnce) {
+  noteOf().begin({"s", "tidy", "Ann \"\n\xff"});
+  EXPECT_FALSE(noteOf("/another").lost());
+  const auto lost = noteOf().lost();
+  ASSERT_TRUE(lost);
+  EXPECT_EQ(lost->session_id, "s");
+  EXPECT_EQ(lost->task_id, "tidy");
+  EXPECT_EQ(lost->person.substr(0, 6), "Ann \"\n");
+  EXPECT_FALSE(noteOf().lost());
+  EXPECT_TRUE(complaints_.empty());
+}
+
+TEST_F(UnderWayTest, aTaskThatEndedIsNotLost) {
+  UnderWay note = noteOf();
+  note.begin({"s", "", ""});
+  note.begin({"t", "", ""});
+  note.end();
+  EXPECT_FALSE(noteOf().lost());
+  note.end();
+  EXPECT_TRUE(complaints_.empty());
+}
+
+TEST_F(UnderWayTest, aNoteThatNobodyCanReadIsComplainedOfAndGoes) {
+  noteOf().begin({"s", "", ""});
+  std::ofstream(folder_ / "r.json") << "{";
+  EXPECT_FALSE(noteOf().lost());
+  EXPECT_EQ(complaints_.size(), 1U);
+  EXPECT_FALSE(noteOf().lost());
+  EXPECT_EQ(complaints_.size(), 1U);
+}
+
+TEST_F(UnderWayTest, aFolderThatCannotBeIsComplainedOfOnce) {
+  std::ofstream(folder_) << "a file";
+  UnderWay note = noteOf();
+  note.begin({"s", "", ""});
+  note.begin({"s", "", ""});
+  note.end();
+  EXPECT_EQ(complaints_.size(), 1U);
+}
+
+}  // namespace
+}  // namespace goal_alignment::ros_interface
