@@ -11,9 +11,8 @@
 #include <thread>
 
 #include "goal_alignment/ros_interface/graceful_end.h"
-#include "goal_alignment/ros_interface/model_source.h"
-#include "goal_alignment/ros_interface/node_constants.h"
 #include "goal_alignment/ros_interface/outcome_watch.h"
+#include "goal_alignment/ros_interface/vocabulary_file.h"
 
 namespace {
 

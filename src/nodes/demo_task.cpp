@@ -26,6 +26,7 @@
 #include "goal_alignment/ros_interface/node_constants.h"
 #include "goal_alignment/ros_interface/task_file.h"
 #include "goal_alignment/ros_interface/task_story.h"
+#include "goal_alignment/ros_interface/vocabulary_file.h"
 
 namespace {
 

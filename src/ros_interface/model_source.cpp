@@ -91,11 +91,6 @@ phrasing::Phrases phrasesOf(const std::string& file) {
   return phrasing::Phrases::fromYaml(source.text, source.name);
 }
 
-phrasing::Vocabulary vocabularyOf(const std::string& file) {
-  const pddl::Source source = pddl::readFile(resolveFile(file));
-  return phrasing::Vocabulary::fromYaml(source.text, source.name);
-}
-
 std::shared_ptr<const whereabouts::Rules> rulesOf(const std::string& file) {
   if (file.empty()) return nullptr;
   try {

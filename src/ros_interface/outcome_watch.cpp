@@ -29,7 +29,8 @@ OutcomeWatch::OutcomeWatch(ros::NodeHandle node, std::function<void()> changed)
   goals_ =
       node.advertise<AlignActionGoal>(ros::names::append(kAlignerAlignAction, "goal"), kQueueSize);
   states_ = node.subscribe(kAlignerStateTopic, kQueueSize, &OutcomeWatch::hearState, this);
-  plans_ = node.subscribe(kAlignerPlanTopic, kQueueSize, &OutcomeWatch::hearPlan, this);
+  plans_ = node.subscribe(ros::names::append(kDefaultNodeName, kPlanTopic), kQueueSize,
+                          &OutcomeWatch::hearPlan, this);
   listener_.start();
 }
 

@@ -16,7 +16,6 @@
 #include "goal_alignment/phrasing/outcomes.h"
 #include "goal_alignment/phrasing/spoken_choice.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
-#include "goal_alignment/ros_interface/model_source.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 
 namespace goal_alignment::ros_interface {

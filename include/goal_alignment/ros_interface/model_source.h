@@ -7,7 +7,6 @@
 
 #include "goal_alignment/AlignGoal.h"
 #include "goal_alignment/phrasing/phrases.h"
-#include "goal_alignment/phrasing/vocabulary.h"
 #include "goal_alignment/ros_interface/node_options.h"
 #include "goal_alignment/session/options.h"
 #include "goal_alignment/session/session.h"
@@ -30,9 +29,6 @@ session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options);
 
 /// The templates of the file; none for "". Throws std::runtime_error.
 phrasing::Phrases phrasesOf(const std::string& file);
-
-/// The words of a dialogue. Throws YamlError, or what pddl::readFile() throws.
-phrasing::Vocabulary vocabularyOf(const std::string& file);
 
 /// The rules of the file; null for "". Throws GoalError.
 std::shared_ptr<const whereabouts::Rules> rulesOf(const std::string& file);

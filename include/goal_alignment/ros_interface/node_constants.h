@@ -36,14 +36,10 @@ constexpr const char* kGetFactsService = "get_facts";
 
 constexpr const char* kAlignerQuestionTopic = "goal_alignment/question";
 constexpr const char* kAlignerStateTopic = "goal_alignment/state";
-constexpr const char* kAlignerPlanTopic = "goal_alignment/plan";
 constexpr const char* kAlignerAlignAction = "goal_alignment/align";
 
 /// Below $ROS_HOME, or ~/.ros where that is not set.
 constexpr const char* kStateFolder = "goal_alignment";
-
-/// What dialogue nodes understand without a parameter that says otherwise.
-constexpr const char* kDefaultVocabulary = "config/vocabulary/en.yaml";
 
 /// Who has answered what nobody was asked about.
 constexpr const char* kAssumed = "assumed";

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "goal_alignment/ros_interface/node_constants.h"
+#include "goal_alignment/ros_interface/vocabulary_file.h"
 
 namespace goal_alignment::ros_interface {
 
