@@ -193,7 +193,7 @@ void ConsoleDialogue::leavePromptIfGone() {
 
 void ConsoleDialogue::treatLine(const std::string& line) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::string words = trimmed(line);
+  const std::string words(trimmed(line));
   if (shown_ == 0) {
     if (!words.empty()) terminal_.hint("There is no question open.\n");
     return;
