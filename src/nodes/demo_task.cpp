@@ -1,31 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sends a task from a YAML file, tells what happens to it, takes up the likeliest alternative where
-// there is no plan, and has the plan executed. Exit status 0: a plan was found and carried out.
+// there is no plan, and has the plan executed; or, with ~interactive, asks the person before the
+// terminal all questions, and for the alternative. Exit status 0: a plan was carried out.
 #include <actionlib/client/simple_action_client.h>
 #include <ros/ros.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
 #include <exception>
+#include <functional>
 #include <iostream>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "goal_alignment/AlignAction.h"
 #include "goal_alignment/ExecutePlanAction.h"
 #include "goal_alignment/execution/names.h"
+#include "goal_alignment/ros_interface/console_dialogue.h"
 #include "goal_alignment/ros_interface/model_source.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 #include "goal_alignment/ros_interface/task_file.h"
 #include "goal_alignment/ros_interface/task_story.h"
+#include "goal_alignment/ros_interface/vocabulary_file.h"
 
 namespace {
 
 using namespace goal_alignment;  // NOLINT(google-build-using-namespace): a main of one file
+using ros_interface::ConsoleDialogue;
+using ros_interface::PromptedTerminal;
 using ros_interface::TaskStory;
 
 constexpr double kServerPatience = 60;  // seconds until the other nodes must be there
+constexpr double kStoryPatience = 10;   // seconds until what belongs to a result must be heard
 constexpr double kPollPeriod = 0.02;    // seconds
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -74,17 +85,37 @@ void waitForResult(Client& client) {
   }
 }
 
-using AlignClient = actionlib::SimpleActionClient<AlignAction>;
+/// The person before the terminal, who answers on a thread of their own; nobody where they are not
+/// asked.
+class Person {
+ public:
+  Person(bool is_asked, const std::string& vocabulary) {
+    if (!is_asked) return;
+    dialogue_ = std::make_unique<ConsoleDialogue>(ros::NodeHandle{}, STDIN_FILENO, terminal_,
+                                                  ros_interface::vocabularyOf(vocabulary));
+    talk_ = std::thread([this] { dialogue_->run(); });
+  }
+  ~Person() {
+    ros::shutdown();  // or the dialogue would go on
+    if (talk_.joinable()) talk_.join();
+  }
+  Person(const Person&) = delete;
+  Person& operator=(const Person&) = delete;
 
-AlignResult resultOf(AlignClient& client, TaskStory& story, const AlignGoal& goal) {
-  client.sendGoal(goal, {}, {},
-                  [&story](const AlignFeedback::ConstPtr& feedback) { story.hear(*feedback); });
-  waitForResult(client);
-  const auto result = client.getResult();
-  if (!result) throw std::runtime_error("the alignment gave no result");
-  story.hear(*result);
-  return *result;
-}
+  bool isAsked() const { return dialogue_ != nullptr; }
+  bool hasGone() const { return dialogue_ && dialogue_->hasEnded(); }
+  std::ostream& hears() { return told_; }
+  std::optional<std::size_t> choose(const std::vector<AlternativeGoal>& alternatives,
+                                    const std::function<bool()>& is_gone) {
+    return dialogue_->choose(alternatives, is_gone);
+  }
+
+ private:
+  PromptedTerminal terminal_{std::cout};
+  ros_interface::TerminalStream told_{terminal_};
+  std::unique_ptr<ConsoleDialogue> dialogue_;
+  std::thread talk_;
+};
 
 /// Hears how the goals of others end, such as one by which a panel takes up an alternative.
 class Plans {
@@ -93,16 +124,10 @@ class Plans {
       : results_(node.subscribe(std::string(ros_interface::kAlignerAlignAction) + "/result", 10,
                                 &Plans::hear, this)) {}
 
-  /// Waits until a goal of the session has ended with a plan.
-  AlignResult await(const std::string& session_id) const {
-    while (goesOn()) {
-      {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        if (newest_.session_id == session_id) return newest_;
-      }
-      ros::WallDuration(kPollPeriod).sleep();
-    }
-    throw std::runtime_error("interrupted");
+  /// Whether a goal of the session has ended with a plan.
+  std::optional<AlignResult> of(const std::string& session_id) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return newest_.session_id == session_id ? std::optional(newest_) : std::nullopt;
   }
 
  private:
@@ -117,45 +142,118 @@ class Plans {
   ros::Subscriber results_;
 };
 
-// Where not all that is wanted can be had, the likeliest alternative is taken up: the same session,
-// nothing is asked again. Unless it `settles` for that, somebody else has to choose.
-Plan align(ros::NodeHandle& node, TaskStory& story, const HumanTask& task, bool settles) {
-  const Plans plans(node);
-  std::atomic<bool> hears{false};
-  const boost::function<void(const AlignmentState::ConstPtr&)> hear_state =
-      [&](const AlignmentState::ConstPtr& state) {
-        story.hear(*state);
-        hears = true;
-      };
-  const ros::Subscriber states =
-      node.subscribe<AlignmentState>(ros_interface::kAlignerStateTopic, 100, hear_state);
-  AlignClient client(node, ros_interface::kAlignerAlignAction, false);
-  waitForServer(client, ros_interface::kAlignerAlignAction);
-  // The last one is latched; without the topic a short task would end before any state is heard.
-  waitFor(ros_interface::kAlignerStateTopic, [&hears] { return hears.load(); });
-  AlignGoal goal;
-  goal.task = task;
-  goal.source = AlignGoal::PARAMS;
-  goal.max_questions = -1;
-  goal.unsure_policy = AlignGoal::KEEP;
-  AlignResult result = resultOf(client, story, goal);
-  while (result.outcome == AlignResult::EXPECTATION_UNACHIEVABLE && !result.alternatives.empty()) {
-    if (!settles) {
-      story.awaitChoice();
-      result = plans.await(result.session_id);
-      story.hear(result);
-      break;
-    }
-    const AlternativeGoal& alternative = result.alternatives.front();
-    story.takeUp(alternative);
-    goal.continue_session = result.session_id;
-    goal.revised_not_wanted = alternative.given_up;
-    result = resultOf(client, story, goal);
+/// The alignment of one task, told as it goes.
+class Alignment {
+ public:
+  /// Where not all that is wanted can be had, the likeliest alternative is taken up if it
+  /// `settles` for that; else the person is asked, or somebody else has to choose.
+  Alignment(ros::NodeHandle& node, TaskStory& story, Person& person, bool settles)
+      : story_(story),
+        person_(person),
+        settles_(settles),
+        plans_(node),
+        client_(node, ros_interface::kAlignerAlignAction, false) {
+    const boost::function<void(const AlignmentState::ConstPtr&)> hear_state =
+        [this](const AlignmentState::ConstPtr& state) {
+          story_.hear(*state);
+          hears_states_ = true;
+        };
+    const boost::function<void(const Question::ConstPtr&)> hear_question =
+        [this](const Question::ConstPtr& question) {
+          story_.hear(*question);
+          hears_questions_ = true;
+        };
+    states_ =
+        node.subscribe<AlignmentState>(ros_interface::kAlignerStateTopic, kQueueSize, hear_state);
+    questions_ =
+        node.subscribe<Question>(ros_interface::kAlignerQuestionTopic, kQueueSize, hear_question);
   }
-  if (result.outcome != AlignResult::SUCCESS)
+
+  Plan run(const HumanTask& task) {
+    waitForServer(client_, ros_interface::kAlignerAlignAction);
+    // The last ones are latched; a short task would end before the topics are heard.
+    waitFor(ros_interface::kAlignerStateTopic, [this] { return hears_states_.load(); });
+    waitFor(ros_interface::kAlignerQuestionTopic, [this] { return hears_questions_.load(); });
+    AlignGoal goal;
+    goal.task = task;
+    goal.source = AlignGoal::PARAMS;
+    goal.max_questions = -1;
+    goal.unsure_policy = AlignGoal::KEEP;
+    AlignResult result = resultOf(goal);
+    while (result.outcome != AlignResult::SUCCESS && !result.alternatives.empty()) {
+      const auto chosen = settles_ ? std::optional<std::size_t>(0) : choice(result);
+      if (!chosen) return planOfOthers(result);
+      const AlternativeGoal& alternative = result.alternatives.at(*chosen);
+      story_.takeUp(alternative);
+      goal.continue_session = result.session_id;
+      goal.revised_not_wanted = alternative.given_up;
+      result = resultOf(goal);
+    }
+    if (result.outcome != AlignResult::SUCCESS)
+      throw std::runtime_error("the task ended without a plan");
+    return result.plan;
+  }
+
+ private:
+  using AlignClient = actionlib::SimpleActionClient<AlignAction>;
+  static constexpr std::uint32_t kQueueSize = 1000;
+
+  AlignResult resultOf(const AlignGoal& goal) {
+    client_.sendGoal(goal);
+    while (!client_.getState().isDone()) {
+      if (!goesOn() || person_.hasGone()) {
+        client_.cancelGoal();
+        ros::WallDuration(kPollPeriod).sleep();  // lets the cancel out
+        throw std::runtime_error(goesOn() ? "nobody is left to answer" : "interrupted");
+      }
+      ros::WallDuration(kPollPeriod).sleep();
+    }
+    const auto result = client_.getResult();
+    if (!result) throw std::runtime_error("the alignment gave no result");
+    tell(*result);
+    return *result;
+  }
+
+  // States and questions may come later than the result.
+  void tell(const AlignResult& result) {
+    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kStoryPatience);
+    while (goesOn() && !story_.hasHeardAllOf(result) && ros::WallTime::now() < end)
+      ros::WallDuration(kPollPeriod).sleep();
+    story_.hear(result);
+  }
+
+  // Nothing where somebody else has chosen.
+  std::optional<std::size_t> choice(const AlignResult& result) {
+    story_.awaitChoice();
+    if (!person_.isAsked()) return std::nullopt;
+    const auto is_gone = [&] { return plans_.of(result.session_id).has_value(); };
+    const auto chosen = person_.choose(result.alternatives, is_gone);
+    if (chosen || is_gone()) return chosen;
+    story_.leaveIt();
     throw std::runtime_error("the task ended without a plan");
-  return result.plan;
-}
+  }
+
+  Plan planOfOthers(const AlignResult& ended) {
+    while (goesOn()) {
+      if (const auto found = plans_.of(ended.session_id)) {
+        tell(*found);
+        return found->plan;
+      }
+      ros::WallDuration(kPollPeriod).sleep();
+    }
+    throw std::runtime_error("interrupted");
+  }
+
+  TaskStory& story_;
+  Person& person_;
+  bool settles_;
+  Plans plans_;
+  std::atomic<bool> hears_states_{false};
+  std::atomic<bool> hears_questions_{false};
+  ros::Subscriber states_;
+  ros::Subscriber questions_;
+  AlignClient client_;
+};
 
 void execute(ros::NodeHandle& node, TaskStory& story, const Plan& plan) {
   using Client = actionlib::SimpleActionClient<ExecutePlanAction>;
@@ -189,15 +287,18 @@ void run() {
   if (!private_node.getParam("task", file))
     throw std::invalid_argument(private_node.resolveName("task") + " is not set");
   const HumanTask task = ros_interface::taskOfFile(file);
-  TaskStory story(std::cout,
-                  ros_interface::phrasesOf(private_node.param<std::string>("phrases", "")),
-                  !private_node.param("interactive", false));
-  ros::AsyncSpinner spinner(1);
+  ros::AsyncSpinner spinner(3);  // one for a question that waits for its answer
   spinner.start();
+  Person person(private_node.param("interactive", false),
+                private_node.param<std::string>("vocabulary", ros_interface::kDefaultVocabulary));
+  TaskStory story(person.hears(),
+                  ros_interface::phrasesOf(private_node.param<std::string>("phrases", "")),
+                  !person.isAsked());
   story.begin(task);
   waitForClock();
-  execute(node, story, align(node, story, task, private_node.param("settles", true)));
-  spinner.stop();
+  const bool settles = private_node.param("settles", !person.isAsked());
+  const Plan plan = Alignment(node, story, person, settles).run(task);
+  execute(node, story, plan);
 }
 
 }  // namespace

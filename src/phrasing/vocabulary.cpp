@@ -11,6 +11,7 @@ namespace goal_alignment::phrasing {
 namespace {
 
 constexpr const char* kTypographicApostrophe = "\u2019";
+constexpr std::size_t kMostWords = 50;  // of an answer
 
 // Bytes beyond ASCII belong to letters.
 bool isInWord(char c) {
@@ -68,12 +69,86 @@ Vocabulary::Words Vocabulary::withoutStandIns(const Words& words) const {
   return result;
 }
 
-std::optional<Vocabulary::Meaning> Vocabulary::meaningOf(const Words& words) const {
-  for (const Words& form : {words, withoutIgnored(words)}) {
-    const auto found = meanings_.find(form);
-    if (found != meanings_.end()) return found->second;
+// In words, 0 for none.
+std::size_t Vocabulary::longestOf(const PhraseSet& phrases, const Words& words, std::size_t at) {
+  std::size_t longest = 0;
+  for (const Words& phrase : phrases) {
+    const bool fits =
+        phrase.size() <= words.size() - at &&
+        std::equal(phrase.begin(), phrase.end(), words.begin() + static_cast<std::ptrdiff_t>(at));
+    if (fits) longest = std::max(longest, phrase.size());
   }
-  return std::nullopt;
+  return longest;
+}
+
+// In words, the longest first; what changes nothing counts as one, too.
+std::vector<std::size_t> Vocabulary::lengthsAt(const Words& words, std::size_t at) const {
+  std::vector<std::size_t> lengths;
+  const auto first = words.begin() + static_cast<std::ptrdiff_t>(at);
+  const std::size_t beside =
+      std::max<std::size_t>(longestOf(beside_, words, at), ignored_.count(*first) > 0 ? 1 : 0);
+  for (std::size_t length = std::min(longest_, words.size() - at); length > 0; --length) {
+    const Words text(first, first + static_cast<std::ptrdiff_t>(length));
+    if (meanings_.count(text) > 0 || length == beside) lengths.push_back(length);
+  }
+  return lengths;
+}
+
+// The words as texts of the lists, as long as can be from the left; none where a word is left over.
+std::vector<Vocabulary::Words> Vocabulary::textsOf(const Words& words) const {
+  std::vector<std::size_t> ends = {0};
+  std::vector<std::vector<std::size_t>> untried;
+  std::vector<bool> leads_nowhere(words.size() + 1, false);
+  if (words.size() > kMostWords) return {};
+  while (!ends.empty() && ends.back() < words.size()) {
+    const std::size_t at = ends.back();
+    if (untried.size() < ends.size()) {
+      untried.push_back(leads_nowhere[at] ? std::vector<std::size_t>() : lengthsAt(words, at));
+      std::reverse(untried.back().begin(), untried.back().end());
+    }
+    if (untried.back().empty()) {
+      leads_nowhere[at] = true;
+      ends.pop_back();
+      untried.pop_back();
+    } else {
+      ends.push_back(at + untried.back().back());
+      untried.back().pop_back();
+    }
+  }
+  std::vector<Words> texts;
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    texts.emplace_back(words.begin() + static_cast<std::ptrdiff_t>(ends[i - 1]),
+                       words.begin() + static_cast<std::ptrdiff_t>(ends[i]));
+  return texts;
+}
+
+std::set<Vocabulary::Meaning> Vocabulary::meaningsOfAll(const Words& words) const {
+  std::set<Meaning> meanings;
+  bool negates = false;
+  for (const Words& text : textsOf(words)) {
+    const auto meaning = meanings_.find(text);
+    if (meaning == meanings_.end()) continue;  // it stands beside
+    // "Not really" says no, and so does "unimportant"; "not really unimportant" does not.
+    if (negates && any_.count(text) > 0) return {};
+    const auto is_but = [this](const std::string& word) { return but_.count(word) > 0; };
+    negates = text.size() > 1 && std::any_of(text.begin(), text.end(), is_but);
+    meanings.insert(meaning->second);
+  }
+  return meanings;
+}
+
+std::set<Vocabulary::Meaning> Vocabulary::meaningsOf(const Words& words) const {
+  const std::set<Meaning> meanings = meaningsOfAll(words);
+  return meanings.empty() ? meaningsOfAll(withoutIgnored(words)) : meanings;
+}
+
+// "No, none of them" and "yes, all of them" say one thing twice.
+std::optional<Heard> Vocabulary::heardAs(std::set<Meaning> meanings, bool several) {
+  if (meanings.count(Meaning::All) > 0 && meanings.count(Meaning::Yes) > 0)
+    meanings.erase(several ? Meaning::Yes : Meaning::All);
+  if (meanings.count(Meaning::None) > 0 && meanings.count(Meaning::No) > 0)
+    meanings.erase(several ? Meaning::No : Meaning::None);
+  return meanings.size() == 1 ? heardAs(*meanings.begin(), several) : std::nullopt;
 }
 
 std::optional<Heard> Vocabulary::heardAs(Meaning meaning, bool several) {
@@ -95,6 +170,8 @@ std::optional<Heard> Vocabulary::heardAs(Meaning meaning, bool several) {
       return Heard{Heard::Kind::Repeat, {}};
     case Meaning::Why:
       return Heard{Heard::Kind::Why, {}};
+    case Meaning::Agreed:
+      break;
   }
   return std::nullopt;
 }
@@ -103,10 +180,66 @@ std::optional<Heard> Vocabulary::understand(const std::string& said,
                                             const std::vector<std::string>& offered) const {
   const Words words = wordsOf(said);
   const bool several = offered.size() > 1;
-  if (const auto meaning = meaningOf(words)) return heardAs(*meaning, several);
+  const std::set<Meaning> meanings = meaningsOf(words);
+  if (!meanings.empty()) return heardAs(meanings, several);
   if (!several) return std::nullopt;
   const auto reply = chosen(words, offered);
   return reply ? std::optional(Heard{Heard::Kind::Reply, *reply}) : std::nullopt;
+}
+
+std::optional<Choice> Vocabulary::choiceAs(std::set<Meaning> meanings, std::size_t offered) {
+  if (meanings.erase(Meaning::Agreed) > 0) meanings.insert(Meaning::Yes);
+  if (meanings.erase(Meaning::None) > 0 || meanings.erase(Meaning::Decline) > 0)
+    meanings.insert(Meaning::No);
+  if (meanings.size() != 1) return std::nullopt;
+  switch (*meanings.begin()) {
+    case Meaning::Yes:
+      return offered == 1 ? std::optional(Choice{Choice::Kind::One, 0}) : std::nullopt;
+    case Meaning::No:
+      return Choice{Choice::Kind::None, 0};
+    case Meaning::Repeat:
+    case Meaning::Why:  // the reason is part of what is said
+      return Choice{Choice::Kind::Repeat, 0};
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<Choice> Vocabulary::choose(const std::string& said,
+                                         const std::vector<std::string>& offered) const {
+  const Words words = wordsOf(said);
+  if (withoutPhrases(any_, words).size() < words.size()) return std::nullopt;
+  const std::set<Meaning> meanings = meaningsOf(words);
+  if (!meanings.empty()) return choiceAs(meanings, offered.size());
+  const Words rest = withoutPhrases(leaving_out_, withoutYes(words));
+  auto reply = chosen(rest, offered);
+  // "I want the sugar" would leave it out; "I want the second" is clear.
+  if (!reply) reply = chosen(withoutPhrases(choosing_, rest), Words(offered.size()));
+  if (!reply || reply->chosen.size() != 1) return std::nullopt;
+  return Choice{Choice::Kind::One, reply->chosen.front()};
+}
+
+Vocabulary::Words Vocabulary::withoutPhrases(const PhraseSet& phrases, const Words& words) {
+  Words rest;
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t length = longestOf(phrases, words, at);
+    if (length == 0) rest.push_back(words[at]);
+    at += std::max<std::size_t>(length, 1);
+  }
+  return rest;
+}
+
+// "Yes, the first."
+Vocabulary::Words Vocabulary::withoutYes(const Words& words) const {
+  for (std::size_t length = std::min(longest_, words.size()); length > 0; --length) {
+    if (length == words.size()) continue;
+    const auto rest = words.begin() + static_cast<std::ptrdiff_t>(length);
+    const auto found = meanings_.find(Words(words.begin(), rest));
+    if (found == meanings_.end()) continue;
+    const bool is_yes = found->second == Meaning::Yes || found->second == Meaning::Agreed;
+    return is_yes ? Words(rest, words.end()) : words;
+  }
+  return words;
 }
 
 std::optional<Reply> Vocabulary::chosen(Words words,
@@ -114,9 +247,8 @@ std::optional<Reply> Vocabulary::chosen(Words words,
   const auto is_joint = [this](const std::string& word) { return and_.count(word) > 0; };
   words = withoutStandIns(withoutIgnored(words));
   words.erase(std::remove_if(words.begin(), words.end(), is_joint), words.end());
-  // "Yes, the first."
-  if (words.size() > 1 && meaningOf({words.front()}) == Meaning::Yes) words.erase(words.begin());
-  if (meaningOf(words) == Meaning::All) return Reply{Reply::Kind::Yes, {}};
+  words = withoutYes(words);
+  if (meaningsOf(words) == std::set<Meaning>{Meaning::All}) return Reply{Reply::Kind::Yes, {}};
   return named(words, offered);
 }
 

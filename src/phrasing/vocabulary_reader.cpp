@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <utility>
 
 #include "goal_alignment/common/quote.h"
@@ -34,7 +35,8 @@ class VocabularyReader : private TemplateReader {
                                                              {"repeat", Meaning::Repeat},
                                                              {"why", Meaning::Why},
                                                              {"all", Meaning::All},
-                                                             {"none", Meaning::None}};
+                                                             {"none", Meaning::None},
+                                                             {"agreed", Meaning::Agreed}};
     const auto found = kMeanings.find(section);
     return found == kMeanings.end() ? std::nullopt : std::optional(found->second);
   }
@@ -57,6 +59,9 @@ class VocabularyReader : private TemplateReader {
   void readSection(const std::string& name, const YAML::Node& key, const YAML::Node& value) {
     if (const auto meaning = meaningCalled(name)) {
       readPhrases(value, *meaning);
+    } else if (std::set<Words>* phrases = phrasesCalled(name)) {
+      for (const YAML::Node& entry : expectedPhrases(value))
+        addPhrase(wordsIn(entry), *phrases);
     } else if (name == "and") {
       readSingles(value, vocabulary_.and_);
     } else if (name == "stand_in") {
@@ -69,9 +74,8 @@ class VocabularyReader : private TemplateReader {
       readSayings(value);
     } else if (name != "ignored") {
       fail(key.Mark(),
-           "one of yes, no, dont_know, decline, repeat, why, all, none, and, but, "
-           "stand_in, ignored, "
-           "numbers, say",
+           "one of yes, no, dont_know, decline, repeat, why, all, none, any, agreed, "
+           "beside, leaving_out, choosing, and, but, stand_in, ignored, numbers, say",
            inQuotes(name));
     }
   }
@@ -89,18 +93,46 @@ class VocabularyReader : private TemplateReader {
     return words.front();
   }
 
-  void readPhrases(const YAML::Node& list, Meaning meaning) {
+  std::set<Words>* phrasesCalled(const std::string& section) {
+    if (section == "any") return &vocabulary_.any_;
+    if (section == "beside") return &vocabulary_.beside_;
+    if (section == "leaving_out") return &vocabulary_.leaving_out_;
+    if (section == "choosing") return &vocabulary_.choosing_;
+    return nullptr;
+  }
+
+  void addPhrase(const Words& words, std::set<Words>& phrases) {
+    vocabulary_.longest_ = std::max(vocabulary_.longest_, words.size());
+    for (const Words& form : formsOf(words))
+      phrases.insert(form);
+  }
+
+  const YAML::Node& expectedPhrases(const YAML::Node& list) const {
     expectList(list, "a list of what may be heard");
     if (list.size() == 0) fail(list.Mark(), "what may be heard", "an empty list");
-    for (const YAML::Node& entry : list) {
+    return list;
+  }
+
+  void readPhrases(const YAML::Node& list, Meaning meaning) {
+    for (const YAML::Node& entry : expectedPhrases(list)) {
       const Words words = wordsIn(entry);
-      addMeaning(entry, words, meaning);
-      const Words rest = vocabulary_.withoutIgnored(words);
-      if (!rest.empty()) addMeaning(entry, rest, meaning);
+      for (const Words& form : formsOf(words))
+        addMeaning(entry, form, meaning);
+      for (const Words& form : formsOf(vocabulary_.withoutIgnored(words)))
+        if (!form.empty()) addMeaning(entry, form, meaning);
     }
   }
 
+  // Recognisers, and people at keyboards, leave apostrophes out.
+  static std::set<Words> formsOf(const Words& words) {
+    Words plain = words;
+    for (std::string& word : plain)
+      word.erase(std::remove(word.begin(), word.end(), '\''), word.end());
+    return {words, plain};
+  }
+
   void addMeaning(const YAML::Node& entry, const Words& words, Meaning meaning) {
+    vocabulary_.longest_ = std::max(vocabulary_.longest_, words.size());
     const auto added = vocabulary_.meanings_.emplace(words, meaning).first;
     if (added->second != meaning)
       fail(entry.Mark(), "a text of one meaning",
@@ -129,38 +161,78 @@ class VocabularyReader : private TemplateReader {
     }
   }
 
+  // What is said: as it stands, or with so many gaps.
+  struct Saying {
+    std::string* text = nullptr;
+    TemplateText* filled = nullptr;
+    std::size_t gaps = 0;
+  };
+  using Sayings = std::map<std::string, Saying>;
+
   void readSayings(const YAML::Node& sayings) {
     expectMap(sayings, "a map of what is said");
-    std::map<std::string, std::string*> wanted = {
-        {"which", &vocabulary_.which_},         {"sorry", &vocabulary_.sorry_},
-        {"answers", &vocabulary_.answers_},     {"group_answers", &vocabulary_.group_answers_},
-        {"no_reason", &vocabulary_.no_reason_}, {"numbered", nullptr}};
+    EndSayings end;
+    Sayings needed = {{"which", {&vocabulary_.which_}},
+                      {"sorry", {&vocabulary_.sorry_}},
+                      {"answers", {&vocabulary_.answers_}},
+                      {"group_answers", {&vocabulary_.group_answers_}},
+                      {"no_reason", {&vocabulary_.no_reason_}},
+                      {"numbered", {nullptr, &vocabulary_.numbered_, 2}}};
+    Sayings of_end = {{"offer", {&end.offer}},
+                      {"offer_one", {nullptr, &end.offer_one, 1}},
+                      {"choose", {&end.choose}},
+                      {"choose_one", {&end.choose_one}},
+                      {"choose_answers", {&end.choose_answers}},
+                      {"chosen", {&end.chosen}},
+                      {"left", {&end.left}},
+                      {"plan", {nullptr, &end.plan, 3}},
+                      {"plan_of_one", {nullptr, &end.plan_of_one, 1}}};
+    const std::size_t all_of_end = of_end.size();
     for (const auto& entry : sayings) {
       const std::string name = text(entry.first, "the name of a saying");
+      Sayings& wanted = of_end.count(name) > 0 ? of_end : needed;
       const auto saying = wanted.find(name);
       if (saying == wanted.end())
-        fail(entry.first.Mark(), "each of " + listed(wanted) + " once", inQuotes(name));
-      if (saying->second != nullptr) {
-        *saying->second = text(entry.second, "what is said");
-      } else {
-        readNumbered(entry.second);
-      }
+        fail(entry.first.Mark(), "each of " + listed(needed) + " once", inQuotes(name));
+      readSaying(entry.second, saying->second);
       wanted.erase(saying);
     }
-    if (!wanted.empty()) fail(sayings.Mark(), listed(wanted), "none");
+    if (!needed.empty()) fail(sayings.Mark(), listed(needed), "none");
+    if (of_end.empty()) {
+      vocabulary_.end_ = std::move(end);
+    } else if (of_end.size() < all_of_end) {
+      fail(sayings.Mark(), "all that is said at the end, also " + listed(of_end), "none");
+    }
   }
 
-  void readNumbered(const YAML::Node& node) {
-    vocabulary_.numbered_ = sentence(node, "a text such as \"{0}: {1}.\"");
-    const auto filled = vocabulary_.numbered_.fill({"<1>", "<2>"});
-    if (!filled || filled->find("<1>") == std::string::npos ||
-        filled->find("<2>") == std::string::npos)
-      fail(node.Mark(), "a text with {0} and {1} and no other gap", inQuotes(node.Scalar()));
+  void readSaying(const YAML::Node& node, const Saying& saying) {
+    if (saying.text != nullptr) {
+      *saying.text = text(node, "what is said");
+    } else {
+      *saying.filled = withGaps(node, saying.gaps);
+    }
   }
 
-  static std::string listed(const std::map<std::string, std::string*>& names) {
+  TemplateText withGaps(const YAML::Node& node, std::size_t number) const {
+    std::string gaps;
+    std::vector<std::string> marks;
+    for (std::size_t i = 0; i < number; ++i) {
+      gaps += (i == 0 ? "{" : " and {") + std::to_string(i) + "}";
+      marks.push_back("<" + std::to_string(i) + ">");
+    }
+    TemplateText saying = sentence(node, "a text with " + gaps);
+    const auto filled = saying.fill(marks);
+    const bool all = filled && std::all_of(marks.begin(), marks.end(), [&](const auto& mark) {
+                       return filled->find(mark) != std::string::npos;
+                     });
+    if (!all)
+      fail(node.Mark(), "a text with " + gaps + " and no other gap", inQuotes(node.Scalar()));
+    return saying;
+  }
+
+  static std::string listed(const Sayings& sayings) {
     std::string text;
-    for (const auto& [name, ignored] : names)
+    for (const auto& [name, ignored] : sayings)
       text += (text.empty() ? "'" : ", '") + name + "'";
     return text;
   }

@@ -21,7 +21,8 @@ constexpr std::size_t kLongestEvent = 4000;  // bytes
 Announcer::Announcer(ros::NodeHandle private_node)
     : states_(private_node.advertise<AlignmentState>(kStateTopic, kStateQueueSize, true)),
       plans_(private_node.advertise<Plan>(kPlanTopic, kStateQueueSize, true)),
-      questions_(private_node.advertise<Question>(kQuestionTopic, kStateQueueSize, true)),
+      // Not only the newest: who tells the dialogue needs them all.
+      questions_(private_node.advertise<Question>(kQuestionTopic, kEventQueueSize, true)),
       events_(private_node.advertise<std_msgs::String>(kEventsTopic, kEventQueueSize)) {
   // roscpp counts from 0.
   state_.header.seq = question_.header.seq = std::numeric_limits<std::uint32_t>::max();

@@ -6,12 +6,12 @@
 #include <ros/init.h>
 #include <unistd.h>
 
-#include <ostream>
 #include <utility>
 
 #include "descriptor.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/ros_interface/node_constants.h"
+#include "goal_alignment/ros_interface/outcome_watch.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
@@ -20,14 +20,33 @@ constexpr std::chrono::milliseconds kShutdownCheck{50};
 
 std::string wordingOf(const Question& question) {
   std::string text =
-      fmt::format("\nQuestion {}{} (at most {} left{}): {}\n", question.asked + 1,
+      fmt::format("Question {}{} (at most {} left{}): {}\n", question.asked + 1,
                   question.person.empty() ? "" : " for " + question.person, question.max_remaining,
                   question.bound_is_provisional ? ", as far as is known" : "", question.text);
   for (std::size_t i = 0; question.fluents.size() > 1 && i < question.fluents.size(); ++i) {
     text += fmt::format("  {}: {}\n", i + 1, question.fluents[i].text);
   }
   if (!question.why.empty()) text += fmt::format("  Why I ask: {}\n", question.why);
-  return text + fmt::format("  {}\n", phrasing::replyKeys(question.fluents.size()));
+  return text + fmt::format("  {}\n> ", phrasing::replyKeys(question.fluents.size()));
+}
+
+std::vector<std::string> clausesOf(const Question& question) {
+  std::vector<std::string> clauses;
+  for (const Fluent& fluent : question.fluents)
+    clauses.push_back(fluent.text);
+  return clauses;
+}
+
+constexpr const char* kKeysOfOne = "y = yes, n = no";
+constexpr const char* kKeysOfSeveral = "the number of what to leave out, n = none of these";
+
+std::string wordingOf(const std::vector<std::string>& alternatives) {
+  if (alternatives.size() == 1)
+    return fmt::format("Go on without this: {}?\n  {}\n> ", alternatives.front(), kKeysOfOne);
+  std::string text = "Go on without one of these?\n";
+  for (std::size_t i = 0; i < alternatives.size(); ++i)
+    text += fmt::format("  {}: {}\n", i + 1, alternatives[i]);
+  return text + fmt::format("  {}\n> ", kKeysOfSeveral);
 }
 
 // Without a reply the question is left as it is.
@@ -58,8 +77,10 @@ ConsoleDialogue::WakePipe::~WakePipe() {
   close(ends[1]);
 }
 
-ConsoleDialogue::ConsoleDialogue(ros::NodeHandle node, int input, std::ostream& out)
-    : out_(out),
+ConsoleDialogue::ConsoleDialogue(ros::NodeHandle node, int input, PromptedTerminal& terminal,
+                                 phrasing::Vocabulary vocabulary)
+    : terminal_(terminal),
+      vocabulary_(std::move(vocabulary)),
       lines_(input, wake_pipe_.ends[0]),
       watch_(node, [this] { wake(); }),
       service_(node.advertiseService(kAskHumanService, &ConsoleDialogue::ask, this)) {}
@@ -70,31 +91,82 @@ void ConsoleDialogue::wake() const {
 }
 
 bool ConsoleDialogue::ask(AskHuman::Request& request, AskHuman::Response& response) {
-  if (request.question.question_id == 0) {  // no question: there is nothing to wait for
-    response.answer = AskHuman::Response::NONE;
-    return true;
-  }
+  response.answer = AskHuman::Response::NONE;
+  const Question& question = request.question;
+  if (question.question_id == 0) return true;  // no question: there is nothing to wait for
+  std::optional<phrasing::Reply> reply;
+  const std::vector<std::string> clauses = clausesOf(question);
+  Prompt prompt;
+  prompt.text = wordingOf(question);
+  prompt.keys = phrasing::replyKeys(clauses.size());
+  prompt.why = question.why.empty() ? vocabulary_.noReason() : question.why;
+  prompt.is_gone = [&] { return watch_.isGone(question); };
+  prompt.take = [&](const std::string& line) {
+    reply = phrasing::parseReply(line, clauses.size());
+    if (reply) return Prompt::Taken::Answer;
+    const auto heard = vocabulary_.understand(line, clauses);
+    if (!heard) return Prompt::Taken::Nothing;
+    if (heard->kind == phrasing::Heard::Kind::Reply) reply = heard->reply;
+    return reply                                       ? Prompt::Taken::Answer
+           : heard->kind == phrasing::Heard::Kind::Why ? Prompt::Taken::Why
+                                                       : Prompt::Taken::Again;
+  };
+  put(prompt);
+  response = responseTo(question, reply);
+  return true;
+}
+
+std::optional<std::size_t> ConsoleDialogue::choose(const std::vector<AlternativeGoal>& alternatives,
+                                                   const std::function<bool()>& is_gone) {
+  std::optional<std::size_t> chosen;
+  std::vector<std::string> offered;
+  for (const AlternativeGoal& alternative : alternatives)
+    offered.push_back(leftOutBy(alternative));
+  Prompt prompt;
+  prompt.text = wordingOf(offered);
+  prompt.keys = offered.size() == 1 ? kKeysOfOne : kKeysOfSeveral;
+  prompt.is_gone = is_gone;
+  prompt.take = [&](const std::string& line) {
+    const std::string word = toLower(trimmed(line));
+    if (word == "n") return Prompt::Taken::Answer;
+    if (offered.size() == 1 && (word == "y" || word == "1")) {
+      chosen = 0;
+      return Prompt::Taken::Answer;
+    }
+    const auto choice = vocabulary_.choose(line, offered);
+    if (!choice) return Prompt::Taken::Nothing;
+    if (choice->kind == phrasing::Choice::Kind::Repeat) return Prompt::Taken::Again;
+    if (choice->kind == phrasing::Choice::Kind::One) chosen = choice->index;
+    return Prompt::Taken::Answer;
+  };
+  put(prompt);
+  return chosen;
+}
+
+void ConsoleDialogue::put(const Prompt& prompt) {
   const std::lock_guard<std::mutex> one_at_a_time(asking_);
   std::unique_lock<std::mutex> lock(mutex_);
-  question_ = request.question;
-  reply_.reset();
+  prompt_ = prompt;
+  ++number_;
   finished_ = false;
   wake();
   while (!finished_ && !ended_ && ros::ok())
     answered_.wait_for(lock, kShutdownCheck);
+  prompt_.reset();
+}
 
-  question_.reset();
-  response = responseTo(request.question, reply_);
-  return true;
+bool ConsoleDialogue::hasEnded() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return ended_;
 }
 
 void ConsoleDialogue::run() {
   while (ros::ok() && !lines_.atEnd()) {
-    showNewQuestion();
-    leaveQuestionIfGone();
+    showNewPrompt();
+    leavePromptIfGone();
     lines_.wait(kShutdownCheck);
     // Prepared answers of a pipe wait for their question; what is typed without one is dropped.
-    while (shown_id_ != 0 || lines_.isTerminal()) {
+    while (shown_ != 0 || lines_.isTerminal()) {
       const auto line = lines_.nextLine();
       if (!line) break;
       treatLine(*line);
@@ -103,44 +175,46 @@ void ConsoleDialogue::run() {
   sayGoodbye();
 }
 
-void ConsoleDialogue::showNewQuestion() {
+void ConsoleDialogue::showNewPrompt() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!question_ || finished_ || question_->question_id == shown_id_) return;
-  shown_id_ = question_->question_id;
+  if (!prompt_ || finished_ || number_ == shown_) return;
+  shown_ = number_;
   shown_at_ = Clock::now();
-  out_ << wordingOf(*question_) << "> " << std::flush;
+  terminal_.open(prompt_->text);
 }
 
-void ConsoleDialogue::leaveQuestionIfGone() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (shown_id_ == 0 || !question_ || !watch_.isGone(*question_)) return;
-  }
-  out_ << "\nThis question is no longer open." << std::endl;
-  finish(std::nullopt);
+void ConsoleDialogue::leavePromptIfGone() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (shown_ == 0 || !prompt_ || !prompt_->is_gone()) return;
+  terminal_.close("\nThis question is no longer open.\n");
+  finish();
   replaced_another_ = true;
 }
 
 void ConsoleDialogue::treatLine(const std::string& line) {
-  if (shown_id_ == 0) {
-    if (!trimmed(line).empty()) out_ << "There is no question open." << std::endl;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::string words(trimmed(line));
+  if (shown_ == 0) {
+    if (!words.empty()) terminal_.hint("There is no question open.\n");
     return;
   }
-  std::size_t fluents = 0;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    fluents = question_ ? question_->fluents.size() : 0;
-  }
-  const auto reply = phrasing::parseReply(line, fluents);
-  if (!reply) {
-    out_ << fmt::format("I did not understand '{:.40}'. {}\n> ", trimmed(line),
-                        phrasing::replyKeys(fluents))
-         << std::flush;
-  } else if (cameTooEarly()) {
-    out_ << "This question has just replaced the one before; please read it.\n> " << std::flush;
-  } else {
-    finish(reply);
-    replaced_another_ = false;
+  if (!prompt_) return finish();  // the node ends
+  if (words.empty()) return terminal_.showAgain();
+  if (cameTooEarly())
+    return terminal_.hint("This question has just replaced the one before; please read it.\n> ");
+  switch (prompt_->take(line)) {
+    case Prompt::Taken::Answer:
+      terminal_.close();
+      finish();
+      replaced_another_ = false;
+      return;
+    case Prompt::Taken::Again:
+      return terminal_.showAgain();
+    case Prompt::Taken::Why:
+      return terminal_.hint(fmt::format("{}\n> ", prompt_->why));
+    case Prompt::Taken::Nothing:
+      return terminal_.hint(
+          fmt::format("I did not understand '{:.40}'. {}\n> ", words, prompt_->keys));
   }
 }
 
@@ -150,21 +224,18 @@ bool ConsoleDialogue::cameTooEarly() const {
   return lines_.isTerminal() && replaced_another_ && since.count() < kAnswerGraceSeconds;
 }
 
-void ConsoleDialogue::finish(const std::optional<phrasing::Reply>& reply) {
-  shown_id_ = 0;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    reply_ = reply;
-    finished_ = true;
-  }
+// Under mutex_.
+void ConsoleDialogue::finish() {
+  shown_ = 0;
+  finished_ = true;
   answered_.notify_all();
 }
 
 void ConsoleDialogue::sayGoodbye() {
   if (lines_.atEnd()) {
-    out_ << "\nEnd of input: no more questions are answered here. Another dialogue node or the "
-            "service ~answer may answer them."
-         << std::endl;
+    terminal_.close(
+        "\nEnd of input: no more questions are answered here. Another dialogue node or the "
+        "service ~answer may answer them.\n");
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -11,11 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "goal_alignment/AlignResult.h"
 #include "goal_alignment/common/ground_name.h"
-#include "goal_alignment/pddl/source_position.h"
+#include "goal_alignment/phrasing/outcomes.h"
+#include "goal_alignment/phrasing/spoken_choice.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
 #include "goal_alignment/ros_interface/node_constants.h"
-#include "goal_alignment/ros_interface/package_files.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
@@ -23,11 +24,7 @@ namespace {
 constexpr std::uint32_t kQueueSize = 10;
 constexpr std::chrono::milliseconds kTick{20};  // for what tells nobody: shutdown, a process's end
 constexpr std::chrono::milliseconds kIdleTick{100};
-
-phrasing::Vocabulary vocabularyOf(const std::string& file) {
-  const pddl::Source source = pddl::readFile(resolveFile(file));
-  return phrasing::Vocabulary::fromYaml(source.text, source.name);
-}
+constexpr double kPlanPatience = 2;  // seconds between an end and its plan
 
 std::vector<std::string> clausesOf(const Question& question) {
   std::vector<std::string> clauses;
@@ -58,6 +55,7 @@ SpeechDialogue::SpeechDialogue(ros::NodeHandle node, ros::NodeHandle private_nod
       vocabulary_(vocabularyOf(options_.vocabulary)),
       said_(private_node.advertise<std_msgs::String>(kSaidTopic, kQueueSize)),
       watch_(node, [this] { changed_.notify_all(); }),
+      ends_(node, [this] { changed_.notify_all(); }),
       listener_(1, &recognitions_) {
   for (const std::string& key : options_.unknown)
     ROS_WARN("parameter %s/%s: there is no such parameter", private_node.getNamespace().c_str(),
@@ -123,7 +121,11 @@ void SpeechDialogue::run() {
   try {
     while (ros::ok()) {
       const auto question = awaitQuestion();
-      if (question) finish(converse(*question));
+      if (question) {
+        finish(converse(*question));
+      } else if (const auto end = ends_.takeEnd()) {
+        tellEnd(*end);
+      }
     }
   } catch (...) {
     endSpeaking();  // or the threads of the callbacks could not be joined
@@ -142,10 +144,11 @@ std::optional<Question> SpeechDialogue::awaitQuestion() {
 std::optional<phrasing::Reply> SpeechDialogue::converse(const Question& question) {
   phrasing::SpokenQuestion spoken(vocabulary_, question.text, question.why, clausesOf(question),
                                   options_.retries);
+  const IsOver is_over = [&] { return !ros::ok() || watch_.isGone(question); };
   std::string next = spoken.asked();
-  while (say(question, next)) {
+  while (say(next, is_over)) {
     next.clear();
-    const auto words = awaitWords(question, after(options_.reply_timeout));
+    const auto words = awaitWords(after(options_.reply_timeout), is_over);
     if (!words) {
       next = spoken.silence();
       continue;
@@ -157,10 +160,57 @@ std::optional<phrasing::Reply> SpeechDialogue::converse(const Question& question
   return std::nullopt;
 }
 
-// Speaks to the end, then listens; an empty text goes on listening. False where the question is
-// over.
-bool SpeechDialogue::say(const Question& question, const std::string& text) {
-  if (text.empty()) return !isOver(question);
+// Until the next question comes, or the next task.
+void SpeechDialogue::tellEnd(const AlignmentState& end) {
+  const IsOver is_over = [&] { return !ros::ok() || isQuestionWaiting() || ends_.isGone(end); };
+  if (!end.alternatives.empty() && vocabulary_.atEnd() != nullptr) {
+    offerAlternatives(end, is_over);
+  } else if (say(end.message, is_over) && end.outcome == AlignResult::SUCCESS) {
+    tellPlan(end, is_over);
+  }
+  deafen();
+}
+
+void SpeechDialogue::tellPlan(const AlignmentState& end, const IsOver& is_over) {
+  if (vocabulary_.atEnd() == nullptr) return;
+  const auto last = after(kPlanPatience);
+  std::optional<Plan> plan = ends_.takePlan(end);
+  while (!plan && !is_over() && Clock::now() < last) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_for(lock, kTick);
+    lock.unlock();
+    plan = ends_.takePlan(end);
+  }
+  if (plan) say(phrasing::spokenPlan(*vocabulary_.atEnd(), plan->step_texts), is_over);
+}
+
+void SpeechDialogue::offerAlternatives(const AlignmentState& end, const IsOver& is_over) {
+  std::vector<std::string> offered;
+  for (const AlternativeGoal& alternative : end.alternatives)
+    offered.push_back(leftOutBy(alternative));
+  // Then the message ends with them.
+  const bool lists_them = end.outcome == AlignResult::EXPECTATION_UNACHIEVABLE &&
+                          offered.size() <= phrasing::kSpokenAlternatives;
+  phrasing::SpokenChoice spoken(vocabulary_, end.message, lists_them, offered, options_.retries);
+  phrasing::SpokenChoice::Turn turn{false, std::nullopt, spoken.asked()};
+  while (say(turn.say, is_over)) {
+    const auto words = awaitWords(after(options_.reply_timeout), is_over);
+    if (is_over()) return;
+    turn = words ? spoken.hear(*words) : spoken.silence();
+    if (!turn.ended) continue;
+    const std::string person = end.person.empty() ? options_.person : end.person;
+    if (turn.chosen && !ends_.takeUp(end, end.alternatives.at(*turn.chosen), person)) {
+      ROS_WARN("nobody takes up what was chosen");
+      return;
+    }
+    say(turn.say, [] { return !ros::ok(); });
+    return;
+  }
+}
+
+// Speaks to the end, then listens; an empty text goes on listening. False where it is over.
+bool SpeechDialogue::say(const std::string& text, const IsOver& is_over) {
+  if (text.empty()) return !is_over();
   deafen();
   const bool aloud = startSpeaking(text);
   const auto cut_off = after(options_.say_timeout);
@@ -168,7 +218,7 @@ bool SpeechDialogue::say(const Question& question, const std::string& text) {
     std::unique_lock<std::mutex> lock(mutex_);
     changed_.wait_for(lock, kTick);
     lock.unlock();
-    if (isOver(question)) break;
+    if (is_over()) break;
     if (Clock::now() < cut_off) continue;
     ROS_WARN("cut off after %g s: %s", options_.say_timeout, text.c_str());
     break;
@@ -177,9 +227,9 @@ bool SpeechDialogue::say(const Question& question, const std::string& text) {
     warnOnce(
         fmt::format("{} ended with status {}", options_.say_command.front(), speech_.lastStatus()));
   speech_.stop();
-  if (aloud) awaitWords(question, after(options_.echo_time));  // deaf, it hears nothing
+  if (aloud) awaitWords(after(options_.echo_time), is_over);  // deaf, it hears nothing
   listen();
-  return !isOver(question);
+  return !is_over();
 }
 
 // False where nothing will be heard.
@@ -207,10 +257,10 @@ void SpeechDialogue::warnOnce(const std::string& fault) {
            said_.getTopic().c_str());
 }
 
-// What was recognised, or nothing when the time is up or the question is over.
-std::optional<std::string> SpeechDialogue::awaitWords(const Question& question,
-                                                      Clock::time_point until) {
-  while (!isOver(question)) {
+// What was recognised, or nothing when the time is up or it is over.
+std::optional<std::string> SpeechDialogue::awaitWords(Clock::time_point until,
+                                                      const IsOver& is_over) {
+  while (!is_over()) {
     std::unique_lock<std::mutex> lock(mutex_);
     if (!heard_.empty()) {
       std::string words = std::move(heard_.front());
@@ -224,8 +274,9 @@ std::optional<std::string> SpeechDialogue::awaitWords(const Question& question,
   return std::nullopt;
 }
 
-bool SpeechDialogue::isOver(const Question& question) const {
-  return !ros::ok() || watch_.isGone(question);
+bool SpeechDialogue::isQuestionWaiting() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return question_ && !finished_;
 }
 
 void SpeechDialogue::deafen() {

@@ -11,6 +11,7 @@
 
 #include "goal_alignment/phrasing/outcomes.h"
 #include "goal_alignment/ros_interface/message_conversion.h"
+#include "goal_alignment/ros_interface/node_constants.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
@@ -29,6 +30,11 @@ bool sameFluent(const Fluent& a, const Fluent& b) {
   return a.name == b.name && a.args == b.args && a.negated == b.negated;
 }
 
+bool isIn(const std::vector<Fluent>& fluents, const Fluent& fluent) {
+  return std::any_of(fluents.begin(), fluents.end(),
+                     [&](const Fluent& other) { return sameFluent(other, fluent); });
+}
+
 const char* answerWord(std::uint8_t state) {
   switch (state) {
     case Candidate::WANTED:
@@ -40,6 +46,11 @@ const char* answerWord(std::uint8_t state) {
     default:
       return nullptr;
   }
+}
+
+// By somebody, not assumed.
+bool isAnswered(const Candidate& candidate) {
+  return answerWord(candidate.state) != nullptr && candidate.answered_by != kAssumed;
 }
 
 }  // namespace
@@ -60,17 +71,31 @@ void TaskStory::begin(const HumanTask& task) {
   out_ << std::flush;
 }
 
-void TaskStory::hear(const AlignFeedback& feedback) {
-  const Question& question = feedback.question;
+void TaskStory::hear(const Question& question) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  // One that narrows keeps its id.
   if (question.question_id == 0 || question.question_id == last_id_) return;
   last_id_ = question.question_id;
+  if (question.session_id != session_) forgetDialogue();
   session_ = question.session_id;
   // Put again after silence it is the same question.
   const bool again = !questions_.empty() && questions_.back().text == question.text &&
                      questions_.back().why == question.why;
-  if (!again) questions_.push_back(question);
+  if (!again) {
+    questions_.push_back(question);
+    ++heard_questions_;
+  }
+  for (const Fluent& fluent : question.fluents)
+    asked_about_.push_back(fluent);
   tellDialogue();
+}
+
+// What was heard so far was another's.
+void TaskStory::forgetDialogue() {
+  questions_.clear();
+  asked_about_.clear();
+  told_question_ = false;
+  heard_questions_ = 0;
 }
 
 void TaskStory::hear(const AlignmentState& state) {
@@ -79,15 +104,28 @@ void TaskStory::hear(const AlignmentState& state) {
   tellDialogue();
 }
 
+bool TaskStory::hasHeardAllOf(const AlignResult& result) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (result.session_id.empty()) return true;  // refused before there was a session
+  if (state_.session_id != result.session_id || state_.phase != AlignmentState::DONE) return false;
+  const auto is_explained = [this](const Candidate& candidate) {
+    return !isAnswered(candidate) || isIn(asked_about_, candidate.fluent);
+  };
+  return heard_questions_ >= result.questions &&
+         std::all_of(result.candidates.begin(), result.candidates.end(), is_explained);
+}
+
 void TaskStory::hear(const AlignResult& result) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  // The last state may still be on its way; the result has the answers, too.
+  // The last state may have been lost; the result has the answers, too.
+  if (session_ != result.session_id) forgetDialogue();
   session_ = result.session_id;
   if (state_.session_id != session_) state_ = AlignmentState{};
   state_.session_id = session_;
   state_.candidates = result.candidates;
   has_ended_ = true;
   tellDialogue();
+  tellOtherAnswers();
   if (result.outcome == AlignResult::SUCCESS) {
     tellPlan(result.plan);
   } else {
@@ -101,13 +139,26 @@ void TaskStory::takeUp(const AlternativeGoal& alternative) {
   fmt::print(out_, "\n{} settles for this: all but that {}.\n", person_,
              joined(alternative.given_up, phrases_));
   out_ << std::flush;
-  has_ended_ = false;
+  goOn();
 }
 
 void TaskStory::awaitChoice() {
   const std::lock_guard<std::mutex> lock(mutex_);
   out_ << "\nIt goes on when somebody chooses one of the alternatives.\n" << std::flush;
+  goOn();
+}
+
+void TaskStory::leaveIt() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  fmt::print(out_, "\n{} leaves it at that.\n", person_);
+  out_ << std::flush;
+}
+
+// Another end will be heard, and its questions are counted anew.
+void TaskStory::goOn() {
   has_ended_ = false;
+  state_.phase = AlignmentState::ANALYSING;
+  heard_questions_ = 0;
 }
 
 void TaskStory::tellDialogue() {
@@ -171,10 +222,11 @@ const char* TaskStory::answerTo(const Fluent& fluent) const {
 }
 
 void TaskStory::tellAnswer(const Question& question) {
-  const bool group = question.fluents.size() > 1;
+  // Where a dialogue shows the questions, the next one may stand above this.
+  const bool names = question.fluents.size() > 1 || !tell_questions_;
   for (const Fluent& fluent : question.fluents) {
     const char* word = answerTo(fluent);
-    const std::string about = group ? fluent.text + ": " : "";
+    const std::string about = names ? fluent.text + ": " : "";
     if (word != nullptr) {
       fmt::print(out_, "  {} answers: {}{}.\n", person_, about, word);
     } else if (!has_ended_) {
@@ -182,6 +234,16 @@ void TaskStory::tellAnswer(const Question& question) {
     }
   }
   out_ << std::flush;
+}
+
+// Volunteered, known from a dialogue that was broken off, or the question was lost.
+void TaskStory::tellOtherAnswers() {
+  for (const Candidate& candidate : state_.candidates) {
+    if (!isAnswered(candidate) || isIn(asked_about_, candidate.fluent)) continue;
+    asked_about_.push_back(candidate.fluent);
+    fmt::print(out_, "  {} has also answered: {}: {}.\n", person_,
+               joined({candidate.fluent}, phrases_), answerWord(candidate.state));
+  }
 }
 
 void TaskStory::tellPlan(const Plan& plan) {

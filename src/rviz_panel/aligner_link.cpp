@@ -30,6 +30,15 @@ ros::Time stampNow() {
   return ros::Time::isValid() ? ros::Time::now() : ros::Time();
 }
 
+template <typename ActionGoal>
+void stamp(ActionGoal& message) {
+  static std::atomic<unsigned> number{0};
+  message.header.stamp = message.goal_id.stamp = stampNow();
+  message.goal_id.id = ros::this_node::getName() + "-panel-" +
+                       std::to_string(Clock::now().time_since_epoch().count()) + "-" +
+                       std::to_string(++number);
+}
+
 }  // namespace
 
 // What the threads of the link share with it.
@@ -90,6 +99,7 @@ QString AlignerLink::connectTo(const QString& aligner) {
 
 void AlignerLink::subscribe() {
   first_message_.invalidate();
+  task_.reset();
   const unsigned generation = ++shared_->generation;
   emit cleared();
   const auto fail = [this, shared = shared_, generation](const QString& why) {
@@ -124,6 +134,7 @@ Listener AlignerLink::listener() {
   listener.state = forward<AlignmentState>(&AlignerLink::hear);
   listener.question = forward<Question>(&AlignerLink::hear);
   listener.plan = forward<Plan>(&AlignerLink::hear);
+  listener.align_goal = forward<AlignActionGoal>(&AlignerLink::hear);
   listener.align_result = forward<AlignActionResult>(&AlignerLink::hear);
   listener.execution_begun = forward<ExecutePlanActionGoal>(&AlignerLink::hear);
   listener.execution_feedback = forward<ExecutePlanActionFeedback>(&AlignerLink::hear);
@@ -153,6 +164,10 @@ void AlignerLink::hear(const Question::ConstPtr& question) {
 void AlignerLink::hear(const Plan::ConstPtr& plan) {
   noteMessage();
   emit planHeard(plan);
+}
+
+void AlignerLink::hear(const AlignActionGoal::ConstPtr& goal) {
+  if (goal->goal.continue_session.empty()) task_ = boost::make_shared<AlignGoal>(goal->goal);
 }
 
 // What comes of a goal is seen in the state, but for one that was not even begun.
@@ -223,21 +238,45 @@ void AlignerLink::call(const char* service, const Answer::Request& request) {
 
 void AlignerLink::takeUp(const QString& session_id, const std::vector<Fluent>& given_up,
                          const QString& answered_by) {
-  static std::atomic<unsigned> number{0};
+  AlignGoal goal;
+  goal.task.person = answered_by.toStdString();
+  goal.max_questions = -1;
+  goal.unsure_policy = AlignGoal::KEEP;
+  goal.continue_session = session_id.toStdString();
+  goal.revised_not_wanted = given_up;
+  send(goal);
+}
+
+void AlignerLink::tryAgain(const QString& session_id, const QString& answered_by) {
+  if (!session_id.isEmpty()) return takeUp(session_id, {}, answered_by);
+  if (task_) return send(*task_);
+  emit replied(false, QStringLiteral("the task was not heard here; send it once more"));
+}
+
+void AlignerLink::send(AlignGoal goal) {
   AlignActionGoal message;
-  message.header.stamp = message.goal_id.stamp = stampNow();
-  message.goal_id.id = ros::this_node::getName() + "-panel-" +
-                       std::to_string(Clock::now().time_since_epoch().count()) + "-" +
-                       std::to_string(++number);
-  message.goal.task.person = answered_by.toStdString();
-  message.goal.max_questions = -1;
-  message.goal.unsure_policy = AlignGoal::KEEP;
-  message.goal.continue_session = session_id.toStdString();
-  message.goal.revised_not_wanted = given_up;
+  message.goal = std::move(goal);
+  stamp(message);
   last_goal_ = message.goal_id.id;
   const auto topics = shared_->current();
   const bool sent = topics && topics->send(message);
   emit replied(sent, sent ? QString() : QStringLiteral("nobody takes tasks there"));
+}
+
+void AlignerLink::execute(const Plan& plan) {
+  ExecutePlanActionGoal message;
+  message.goal.plan = plan;
+  stamp(message);
+  const auto topics = shared_->current();
+  const bool sent = topics && topics->send(message);
+  emit replied(sent, sent ? QString() : QStringLiteral("there is no executor to carry it out"));
+}
+
+void AlignerLink::withdraw(const QString& goal_id) {
+  const auto topics = shared_->current();
+  // An empty id would cancel everything.
+  if (goal_id.isEmpty() || !topics || !topics->cancelAlignment(goal_id.toStdString()))
+    emit replied(false, QStringLiteral("nobody hears the cancel"));
 }
 
 void AlignerLink::cancelAlignment() {

@@ -42,7 +42,12 @@ class AlignerLink : public QObject {
   /// Continues the session without these fluents.
   void takeUp(const QString& session_id, const std::vector<Fluent>& given_up,
               const QString& answered_by);
+  /// The task once more: the session goes on, or where there is none the last goal is sent again.
+  void tryAgain(const QString& session_id, const QString& answered_by);
+  void execute(const Plan& plan);
   void cancelAlignment();
+  /// One task that waits.
+  void withdraw(const QString& goal_id);
   void cancelExecution();
 
  signals:
@@ -57,7 +62,7 @@ class AlignerLink : public QObject {
   void executionBegun();
   void executionHeard(const goal_alignment::ExecutePlanFeedback& feedback);
   void executionEnded(const goal_alignment::ExecutePlanResult& result);
-  /// To answer(), revise() or takeUp(); `message` says why it was refused.
+  /// To answer(), revise(), takeUp() and what else is sent; `message` says why it was refused.
   void replied(bool accepted, const QString& message);
 
  private:
@@ -71,10 +76,12 @@ class AlignerLink : public QObject {
   void hear(const AlignmentState::ConstPtr& state);
   void hear(const Question::ConstPtr& question);
   void hear(const Plan::ConstPtr& plan);
+  void hear(const AlignActionGoal::ConstPtr& goal);
   void hear(const AlignActionResult::ConstPtr& result);
   void hear(const ExecutePlanActionGoal::ConstPtr& goal);
   void hear(const ExecutePlanActionFeedback::ConstPtr& feedback);
   void hear(const ExecutePlanActionResult::ConstPtr& result);
+  void send(AlignGoal goal);
   void call(const char* service, const Answer::Request& request);
   void look();
   void setPresence(Presence presence);
@@ -89,7 +96,8 @@ class AlignerLink : public QObject {
   Presence presence_ = Presence::Absent;
   bool was_there_ = false;       // and is gone
   QElapsedTimer first_message_;  // since the aligner was last There
-  std::string last_goal_;
+  std::string last_goal_;        // of ours
+  AlignGoal::ConstPtr task_;     // the last one that began a session
 };
 
 }  // namespace goal_alignment::rviz_panel

@@ -40,6 +40,7 @@ AlignerTopics::AlignerTopics(const std::string& aligner, Listener listener)
   states_ = listen<AlignmentState>(ros::names::append(aligner, kStateTopic), listener_.state);
   questions_ = listen<Question>(ros::names::append(aligner, kQuestionTopic), listener_.question);
   plans_ = listen<Plan>(ros::names::append(aligner, kPlanTopic), listener_.plan);
+  tasks_ = listen<AlignActionGoal>(below(aligner, kAlignAction, "goal"), listener_.align_goal);
   results_ =
       listen<AlignActionResult>(below(aligner, kAlignAction, "result"), listener_.align_result);
   statuses_ = listen<actionlib_msgs::GoalStatusArray>(
@@ -54,6 +55,8 @@ AlignerTopics::AlignerTopics(const std::string& aligner, Listener listener)
   execution_results_ = listen<ExecutePlanActionResult>(below(robot, kExecutePlanAction, "result"),
                                                        listener_.execution_ended);
   goals_ = node_.advertise<AlignActionGoal>(below(aligner, kAlignAction, "goal"), kQueueSize);
+  plans_to_execute_ =
+      node_.advertise<ExecutePlanActionGoal>(below(robot, kExecutePlanAction, "goal"), kQueueSize);
   align_cancels_ =
       node_.advertise<actionlib_msgs::GoalID>(below(aligner, kAlignAction, "cancel"), kQueueSize);
   execution_cancels_ = node_.advertise<actionlib_msgs::GoalID>(
@@ -65,16 +68,26 @@ AlignerTopics::~AlignerTopics() {
   spinner_.stop();
 }
 
+// This process listens to goals as well, so that one subscriber is none.
 bool AlignerTopics::send(const AlignActionGoal& goal) {
-  if (goals_.getNumSubscribers() == 0) return false;
+  if (results_.getNumPublishers() == 0 || goals_.getNumSubscribers() < 2) return false;
   goals_.publish(goal);
   return true;
 }
 
+bool AlignerTopics::send(const ExecutePlanActionGoal& goal) {
+  if (execution_results_.getNumPublishers() == 0 || plans_to_execute_.getNumSubscribers() < 2)
+    return false;
+  plans_to_execute_.publish(goal);
+  return true;
+}
+
 // An empty id with a zero time stamp is actionlib's way to say "all goals", whoever sent them.
-bool AlignerTopics::cancelAlignment() {
+bool AlignerTopics::cancelAlignment(const std::string& goal_id) {
   if (align_cancels_.getNumSubscribers() == 0) return false;
-  align_cancels_.publish(actionlib_msgs::GoalID());
+  actionlib_msgs::GoalID goal;
+  goal.id = goal_id;
+  align_cancels_.publish(goal);
   return true;
 }
 

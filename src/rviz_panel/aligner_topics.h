@@ -27,6 +27,7 @@ struct Listener {
   std::function<void(const AlignmentState::ConstPtr&)> state;
   std::function<void(const Question::ConstPtr&)> question;
   std::function<void(const Plan::ConstPtr&)> plan;
+  std::function<void(const AlignActionGoal::ConstPtr&)> align_goal;
   std::function<void(const AlignActionResult::ConstPtr&)> align_result;
   std::function<void()> heartbeat;
   std::function<void(const ExecutePlanActionGoal::ConstPtr&)> execution_begun;
@@ -47,7 +48,9 @@ class AlignerTopics {
 
   // From any thread, at once. They return whether anybody listens.
   bool send(const AlignActionGoal& goal);
-  bool cancelAlignment();
+  bool send(const ExecutePlanActionGoal& goal);
+  /// `goal_id` "": all goals.
+  bool cancelAlignment(const std::string& goal_id = "");
   bool cancelExecution();
 
   /// Whether anybody publishes states, as far as the master has said.
@@ -64,12 +67,14 @@ class AlignerTopics {
   ros::Subscriber states_;
   ros::Subscriber questions_;
   ros::Subscriber plans_;
+  ros::Subscriber tasks_;
   ros::Subscriber results_;
   ros::Subscriber statuses_;
   ros::Subscriber execution_goals_;
   ros::Subscriber execution_feedback_;
   ros::Subscriber execution_results_;
   ros::Publisher goals_;
+  ros::Publisher plans_to_execute_;
   ros::Publisher align_cancels_;
   ros::Publisher execution_cancels_;
   ros::AsyncSpinner spinner_;

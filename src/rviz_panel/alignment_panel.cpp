@@ -52,6 +52,10 @@ void AlignmentPanel::connectParts() {
           [this](const QString& session_id, const std::vector<Fluent>& given_up) {
             link_->takeUp(session_id, given_up, answered_by_);
           });
+  connect(view_, &AlignmentView::retried, link_,
+          [this](const QString& session_id) { link_->tryAgain(session_id, answered_by_); });
+  connect(view_, &AlignmentView::executionWanted, link_, &AlignerLink::execute);
+  connect(view_, &AlignmentView::withdrawn, link_, &AlignerLink::withdraw);
   connect(view_, &AlignmentView::alignmentCanceled, link_, &AlignerLink::cancelAlignment);
   connect(view_, &AlignmentView::executionCanceled, link_, &AlignerLink::cancelExecution);
   connect(view_, &AlignmentView::alignerEdited, this, [this](const QString& name) {

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "goal_alignment/AlignResult.h"
 #include "names.h"
 #include "wording.h"
 
@@ -17,18 +18,6 @@ constexpr double kLarge = 1.2;
 
 QString counted(const QString& title, int number) {
   return number == 0 ? title : QStringLiteral("%1 (%2)").arg(title).arg(number);
-}
-
-QString promiseOf(const Plan& plan) {
-  if (plan.plan_id == 0) return {};
-  QStringList lines;
-  if (!plan.guaranteed.empty()) {
-    lines << QStringLiteral("Guaranteed: %1.").arg(phrasesOf(plan.guaranteed).join("; "));
-  }
-  if (!plan.not_wanted.empty()) {
-    lines << QStringLiteral("Given up: %1.").arg(phrasesOf(plan.not_wanted).join("; "));
-  }
-  return lines.join('\n');
 }
 
 QVBoxLayout* column(QWidget* widget, int margin, int spacing) {
@@ -54,6 +43,8 @@ AlignmentView::AlignmentView(QWidget* parent) : QWidget(parent) {
   layout->addWidget(question_card_);
   outcome_card_ = new OutcomeCard(this);
   layout->addWidget(outcome_card_);
+  waiting_card_ = new WaitingCard(this);
+  layout->addWidget(waiting_card_);
   layout->addWidget(tabs(), 1);
   layout->addWidget(footer());
   connectParts();
@@ -105,13 +96,7 @@ QWidget* AlignmentView::tabs() {
   tabs_->addTab(page, QString());
   answers_ = new AnswerTable(tabs_);
   tabs_->addTab(answers_, QString());
-  plan_page_ = new QWidget(tabs_);
-  plan_ = new PlanTable(plan_page_);
-  plan_note_ = new WrappedLabel(plan_page_);
-  plan_note_->setObjectName(QStringLiteral("plan_note"));
-  auto* plan_rows = column(plan_page_, 2, 4);
-  plan_rows->addWidget(plan_, 1);
-  plan_rows->addWidget(plan_note_);
+  plan_page_ = new PlanPage(tabs_);
   tabs_->addTab(plan_page_, QString());
   return tabs_;
 }
@@ -139,6 +124,12 @@ QWidget* AlignmentView::footer() {
 void AlignmentView::connectParts() {
   connect(question_card_, &QuestionCard::answered, this, &AlignmentView::answered);
   connect(outcome_card_, &OutcomeCard::takenUp, this, &AlignmentView::takenUp);
+  connect(outcome_card_, &OutcomeCard::retried, this, &AlignmentView::retried);
+  connect(waiting_card_, &WaitingCard::withdrawn, this, &AlignmentView::withdrawn);
+  connect(plan_page_, &PlanPage::executionWanted, this, &AlignmentView::executionWanted);
+  connect(plan_page_, &PlanPage::retried, this, &AlignmentView::retried);
+  connect(plan_page_, &PlanPage::newPlanShown, this,
+          [this] { tabs_->setCurrentWidget(plan_page_); });
   connect(candidates_, &CandidateTable::volunteered, this,
           [this](int answer, const QStringList& fluents) { emit answered(answer, 0, fluents); });
   connect(candidates_, &CandidateTable::revised, this, &AlignmentView::revised);
@@ -158,9 +149,7 @@ void AlignmentView::connectParts() {
 }
 
 void AlignmentView::clear() {
-  executing_ = false;
-  execution_end_.clear();
-  latest_plan_ = boost::make_shared<Plan>();
+  plan_page_->clear();
   tell({});
   showQuestion(boost::make_shared<Question>());
   showState(boost::make_shared<AlignmentState>());
@@ -182,9 +171,10 @@ void AlignmentView::showState(const AlignmentState::ConstPtr& state) {
   candidates_->candidates().show(state);
   answers_->answers().show(*state);
   if (new_session) tabs_->setCurrentIndex(0);
+  plan_page_->showSession(state->session_id, isUnderWay(*state));
   showHeader();
   showCards();
-  showPlanTab();
+  showTabs();
 }
 
 void AlignmentView::showQuestion(const Question::ConstPtr& question) {
@@ -195,59 +185,33 @@ void AlignmentView::showQuestion(const Question::ConstPtr& question) {
 }
 
 void AlignmentView::showPlan(const Plan::ConstPtr& plan) {
-  latest_plan_ = plan;
-  execution_end_.clear();
-  showPlanTab();
+  plan_page_->showPlan(plan);
+  showHeader();
+  showTabs();
 }
 
-// A plan of an earlier session says nothing about the present one.
-void AlignmentView::showPlanTab() {
-  const bool ours = latest_plan_->session_id == state_->session_id;
-  PlanModel& steps = plan_->steps();
-  if (!ours && !executing_) {
-    steps.clear();
-  } else if (ours && latest_plan_->plan_id != 0 &&
-             (steps.plan().plan_id != latest_plan_->plan_id ||
-              steps.plan().session_id != latest_plan_->session_id)) {
-    steps.show(latest_plan_);
-    tabs_->setCurrentWidget(plan_page_);
-  }
-  QStringList notes;
-  if (!execution_end_.isEmpty()) notes << execution_end_;
-  const QString promise = promiseOf(steps.plan());
-  if (!promise.isEmpty()) notes << promise;
-  plan_note_->say(notes.join('\n'));
-  tabs_->setTabText(0, counted(QStringLiteral("Candidates"), candidates_->candidates().rowCount()));
+void AlignmentView::showTabs() {
+  tabs_->setTabText(0, counted(QStringLiteral("Wishes"), candidates_->candidates().rowCount()));
   tabs_->setTabText(1, counted(QStringLiteral("Answers"), answers_->answers().rowCount()));
-  tabs_->setTabText(2, counted(QStringLiteral("Plan"), steps.rowCount()));
+  tabs_->setTabText(2, counted(QStringLiteral("Plan"), plan_page_->stepCount()));
 }
 
 void AlignmentView::beginExecution() {
-  executing_ = true;
-  execution_end_.clear();
-  plan_->steps().begin();
+  plan_page_->beginExecution();
   showHeader();
-  showPlanTab();
+  showTabs();
 }
 
 void AlignmentView::showExecution(const ExecutePlanFeedback& feedback) {
-  executing_ = true;
-  // A plan that this one displaces ends after its goal was heard.
-  execution_end_.clear();
-  plan_->steps().hear(feedback);
+  plan_page_->showExecution(feedback);
   showHeader();
-  showPlanTab();
+  showTabs();
 }
 
 void AlignmentView::endExecution(const ExecutePlanResult& result) {
-  executing_ = false;
-  const bool success = result.outcome == ExecutePlanResult::SUCCESS;
-  plan_->steps().end(result);
-  execution_end_ =
-      success ? QStringLiteral("Carried out.")
-              : QStringLiteral("Not carried out: %1").arg(QString::fromStdString(result.reason));
+  plan_page_->endExecution(result);
   showHeader();
-  showPlanTab();
+  showTabs();
 }
 
 void AlignmentView::showReply(bool accepted, const QString& message) {
@@ -267,12 +231,12 @@ QString AlignmentView::statusText() const {
     return QStringLiteral("%1 is not there. Waiting for it …").arg(aligner().trimmed());
   }
   QString text = phaseLine(*state_);
-  if (executing_) {
-    const int step = plan_->steps().runningStep();
-    text = step < 0 ? QStringLiteral("Carrying out the plan")
-                    : QStringLiteral("Carrying out step %1 of %2")
-                          .arg(step + 1)
-                          .arg(plan_->steps().rowCount());
+  // Once there is a plan it matters what becomes of it.
+  const QString run = plan_page_->headline();
+  const bool found =
+      state_->phase == AlignmentState::DONE && state_->outcome == AlignResult::SUCCESS;
+  if (!run.isEmpty() && (found || plan_page_->isExecuting())) {
+    text = run;
   } else if (isUnderWay(*state_) && state_->questions_asked > 0) {
     text += QStringLiteral("  ·  %1 asked").arg(state_->questions_asked);
   }
@@ -283,7 +247,8 @@ QString AlignmentView::statusText() const {
 
 void AlignmentView::showHeader() {
   const bool there = presence_ == Presence::There;
-  const QString title = titleOf(*state_);
+  const QString title = titleOf(state_->task_id, state_->person);
+  const bool executing = plan_page_->isExecuting();
   title_->say(title.isEmpty() ? QStringLiteral("Goal alignment") : title);
   status_->say(statusText());
   const bool busy = presence_ != Presence::Absent && isUnderWay(*state_);
@@ -294,11 +259,11 @@ void AlignmentView::showHeader() {
   QPalette colours = palette();
   colours.setColor(QPalette::WindowText, colourOf(tone, palette()));
   dot_->setPalette(colours);
-  cancel_->setText(busy || !executing_ ? QStringLiteral("Cancel") : QStringLiteral("Stop"));
-  cancel_->setToolTip(busy || !executing_
+  cancel_->setText(busy || !executing ? QStringLiteral("Cancel") : QStringLiteral("Stop"));
+  cancel_->setToolTip(busy || !executing
                           ? QStringLiteral("Cancels the task; what was answered is kept")
                           : QStringLiteral("Stops the execution of the plan"));
-  cancel_->setEnabled(there && (busy || executing_));
+  cancel_->setEnabled(there && (busy || executing));
 }
 
 // While the aligner is not there, its question can't be answered and may be out of date.
@@ -309,6 +274,9 @@ void AlignmentView::showCards() {
   question_card_->setAnswerable(there);
   outcome_card_->show(*state_);
   outcome_card_->setEnabled(there);
+  waiting_card_->show(absent ? std::vector<WaitingTask>() : state_->waiting);
+  waiting_card_->setEnabled(there);
+  plan_page_->setAnswerable(there);
   candidates_->setEnabled(!absent);
   candidates_->setAnswerable(there);
   answers_->setEnabled(!absent);

@@ -9,8 +9,10 @@
 
 #include "aligner_link.h"
 #include "outcome_card.h"
+#include "plan_page.h"
 #include "question_card.h"
 #include "tables.h"
+#include "waiting_card.h"
 
 namespace goal_alignment::rviz_panel {
 
@@ -45,6 +47,11 @@ class AlignmentView : public QWidget {
   void answered(int answer, quint32 question_id, const QStringList& fluents);
   void revised(int answer, const QStringList& fluents);
   void takenUp(const QString& session_id, const std::vector<goal_alignment::Fluent>& given_up);
+  /// The task once more; "": without a session to go on with.
+  void retried(const QString& session_id);
+  void executionWanted(const goal_alignment::Plan& plan);
+  /// One of the tasks that wait.
+  void withdrawn(const QString& goal_id);
   void alignmentCanceled();
   void executionCanceled();
   void alignerEdited(const QString& name);
@@ -60,15 +67,12 @@ class AlignmentView : public QWidget {
   void showHeader();
   QString statusText() const;
   void showCards();
-  void showPlanTab();
+  void showTabs();
   void tell(const QString& notice);
 
   Presence presence_ = Presence::Absent;
   AlignmentState::ConstPtr state_ = boost::make_shared<AlignmentState>();
   Question::ConstPtr question_ = boost::make_shared<Question>();
-  Plan::ConstPtr latest_plan_ = boost::make_shared<Plan>();
-  bool executing_ = false;
-  QString execution_end_;
 
   QLabel* dot_;
   WrappedLabel* title_;
@@ -79,12 +83,11 @@ class AlignmentView : public QWidget {
   WrappedLabel* notice_;
   QuestionCard* question_card_;
   OutcomeCard* outcome_card_;
+  WaitingCard* waiting_card_;
   QTabWidget* tabs_;
   CandidateTable* candidates_;
   AnswerTable* answers_;
-  PlanTable* plan_;
-  WrappedLabel* plan_note_;
-  QWidget* plan_page_;
+  PlanPage* plan_page_;
   QLineEdit* filter_;
   QLineEdit* aligner_;
   QLineEdit* answered_by_;

@@ -134,8 +134,8 @@ QString CandidateModel::toolTipOf(const Candidate& candidate) const {
 
 QVariant CandidateModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  static const QStringList titles = {QStringLiteral("What you may want"), QStringLiteral("Belief"),
-                                     QStringLiteral("State")};
+  static const QStringList titles = {QStringLiteral("What you may want"), QStringLiteral("Chance"),
+                                     QStringLiteral("So far")};
   return titles.value(section);
 }
 

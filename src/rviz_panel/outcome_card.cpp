@@ -27,6 +27,12 @@ QString conflictText(const std::vector<Fluent>& conflict) {
   return text;
 }
 
+QString offerOf(const AlternativeGoal& alternative) {
+  const QString what = phrasesOf(alternative.given_up).join(QStringLiteral("; "));
+  return alternative.given_up.size() > 1 ? QStringLiteral("Go on without these: %1").arg(what)
+                                         : QStringLiteral("Go on without this: %1").arg(what);
+}
+
 bool looksSame(const AlignmentState& a, const AlignmentState& b) {
   return a.header.stamp == b.header.stamp && a.session_id == b.session_id &&
          a.outcome == b.outcome && a.message == b.message && a.phase == b.phase;
@@ -39,16 +45,22 @@ OutcomeCard::OutcomeCard(QWidget* parent)
       headline_(new WrappedLabel(this)),
       message_(new WrappedLabel(this)),
       conflict_(new WrappedLabel(this)),
-      offer_(new WrappedLabel(this)),
-      scroll_(new ShortScroll(kMostButtons, this)) {
+      scroll_(new ShortScroll(kMostButtons, this)),
+      again_(new QPushButton(QStringLiteral("Try again"), this)) {
   setObjectName(QStringLiteral("outcome_card"));
   headline_->setLook(kLarge, true);
   conflict_->setObjectName(QStringLiteral("conflict"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kMargin, kMargin - 2, kMargin, kMargin);
-  for (WrappedLabel* label : {headline_, message_, conflict_, offer_})
+  for (WrappedLabel* label : {headline_, message_, conflict_})
     layout->addWidget(label);
   layout->addWidget(scroll_);
+  layout->addWidget(again_);
+  again_->setObjectName(QStringLiteral("try_again"));
+  again_->setToolTip(
+      QStringLiteral("The task once more, from how things are now; answers are kept"));
+  connect(again_, &QPushButton::clicked, this,
+          [this] { emit retried(QString::fromStdString(shown_.session_id)); });
   hide();
 }
 
@@ -72,18 +84,16 @@ void OutcomeCard::show(const AlignmentState& state) {
 }
 
 void OutcomeCard::showAlternatives(const AlignmentState& state) {
-  offer_->say(state.alternatives.empty() ? QString() : QStringLiteral("It can be done without:"));
   scroll_->setHidden(state.alternatives.empty());
   auto* buttons = new QWidget;
   auto* layout = new QVBoxLayout(buttons);
   layout->setContentsMargins(0, 0, 0, 0);
   int number = 0;
   for (const AlternativeGoal& alternative : state.alternatives) {
-    auto* button =
-        new WrappedButton(sentence(phrasesOf(alternative.given_up).join(QStringLiteral("; "))),
-                          QStringLiteral("how likely you can do without it: %1")
-                              .arg(percent(alternative.probability)),
-                          buttons);
+    auto* button = new WrappedButton(offerOf(alternative),
+                                     QStringLiteral("how likely you can do without it: %1")
+                                         .arg(percent(alternative.probability)),
+                                     buttons);
     button->setObjectName(QStringLiteral("alternative_%1").arg(number++));
     layout->addWidget(button);
     connect(button, &QPushButton::clicked, this,

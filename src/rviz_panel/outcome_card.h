@@ -6,8 +6,8 @@
 
 namespace goal_alignment::rviz_panel {
 
-/// How an alignment without a plan ended: why, what can't be had together, and the alternatives as
-/// buttons. Hidden otherwise.
+/// How an alignment without a plan ended: why, what can't be had together, and as buttons the
+/// alternatives and another try. Hidden otherwise.
 class OutcomeCard : public Card {
   Q_OBJECT
 
@@ -17,6 +17,8 @@ class OutcomeCard : public Card {
 
  signals:
   void takenUp(const QString& session_id, const std::vector<goal_alignment::Fluent>& given_up);
+  /// The task once more; `session_id` "": there is no session to go on with.
+  void retried(const QString& session_id);
 
  private:
   void showAlternatives(const AlignmentState& state);
@@ -25,8 +27,8 @@ class OutcomeCard : public Card {
   WrappedLabel* headline_;
   WrappedLabel* message_;
   WrappedLabel* conflict_;
-  WrappedLabel* offer_;
   ShortScroll* scroll_;
+  QPushButton* again_;
 };
 
 }  // namespace goal_alignment::rviz_panel

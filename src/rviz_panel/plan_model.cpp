@@ -24,14 +24,32 @@ PlanModel::Progress progressFor(std::uint8_t status) {
 
 void PlanModel::show(const Plan::ConstPtr& plan) {
   beginResetModel();
+  if (plan->session_id == plan_->session_id) {
+    keepDone();
+  } else {
+    done_.clear();
+  }
   plan_ = plan;
   step_ = -1;
   of_step_ = Progress::Ahead;
   endResetModel();
 }
 
+// What still ran has not come to its end in view of us.
+void PlanModel::keepDone() {
+  for (int step = 0; step < stepCount(); ++step) {
+    const Progress progress = progressOf(step);
+    if (progress == Progress::Done || progress == Progress::Failed)
+      done_.push_back(stepOf(firstRow() + step));
+  }
+}
+
 void PlanModel::clear() {
-  if (plan_->plan_id != 0 || rowCount() > 0) show(boost::make_shared<Plan>());
+  if (plan_->plan_id == 0 && rowCount() == 0) return;
+  show(boost::make_shared<Plan>());
+  beginResetModel();
+  done_.clear();
+  endResetModel();
 }
 
 void PlanModel::begin() {
@@ -40,7 +58,7 @@ void PlanModel::begin() {
 
 void PlanModel::hear(const ExecutePlanFeedback& feedback) {
   if (feedback.plan_id != plan_->plan_id) return;
-  if (feedback.step >= 0 && feedback.step < rowCount())
+  if (feedback.step >= 0 && feedback.step < stepCount())
     move(feedback.step, progressFor(feedback.status));
 }
 
@@ -49,8 +67,8 @@ void PlanModel::end(const ExecutePlanResult& result) {
   const bool names_plan = result.plan.plan_id != 0 || !result.plan.steps.empty();
   if (names_plan && result.plan.plan_id != plan_->plan_id) return;
   if (result.outcome == ExecutePlanResult::SUCCESS) {
-    move(rowCount() - 1, Progress::Done);
-  } else if (result.failed_step >= 0 && result.failed_step < rowCount()) {
+    move(stepCount() - 1, Progress::Done);
+  } else if (result.failed_step >= 0 && result.failed_step < stepCount()) {
     move(result.failed_step, Progress::Failed);
   } else if (of_step_ == Progress::Running) {
     move(step_, Progress::Failed);
@@ -67,45 +85,51 @@ int PlanModel::runningStep() const {
   return of_step_ == Progress::Running ? step_ : -1;
 }
 
-PlanModel::Progress PlanModel::progressOf(int row) const {
-  if (row == step_) return of_step_;
-  return row < step_ ? Progress::Done : Progress::Ahead;
+PlanModel::Progress PlanModel::progressOf(int step) const {
+  if (step == step_) return of_step_;
+  return step < step_ ? Progress::Done : Progress::Ahead;
 }
 
 int PlanModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(plan_->steps.size());
+  return parent.isValid() ? 0 : firstRow() + stepCount();
 }
 
 int PlanModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : Columns;
 }
 
-QString PlanModel::textOf(int row) const {
+QString PlanModel::textOf(int step) const {
   const auto& texts = plan_->step_texts;
-  const auto at = static_cast<std::size_t>(row);
+  const auto at = static_cast<std::size_t>(step);
   if (at < texts.size() && !texts[at].empty()) return sentence(QString::fromStdString(texts[at]));
   return pddlOf(plan_->steps[at]);
 }
 
+PlanModel::Step PlanModel::stepOf(int row) const {
+  if (row < firstRow()) return done_[static_cast<std::size_t>(row)];
+  const int step = row - firstRow();
+  return {textOf(step), pddlOf(plan_->steps[static_cast<std::size_t>(step)]), progressOf(step)};
+}
+
 QVariant PlanModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  const Progress progress = progressOf(index.row());
+  const Step step = stepOf(index.row());
+  const int number = index.row() - firstRow() + 1;
   switch (role) {
     case Qt::DisplayRole: {
-      if (index.column() == Text) return textOf(index.row());
-      if (progress == Progress::Done) return QStringLiteral("✓");
-      if (progress == Progress::Failed) return QStringLiteral("✗");
-      if (progress == Progress::Running) return QStringLiteral("▶");
-      return QString::number(index.row() + 1);
+      if (index.column() == Text) return step.text;
+      if (step.progress == Progress::Done) return QStringLiteral("✓");
+      if (step.progress == Progress::Failed) return QStringLiteral("✗");
+      if (step.progress == Progress::Running) return QStringLiteral("▶");
+      return QString::number(number);
     }
     case Qt::ToolTipRole:
-      return QStringLiteral("step %1: %2")
-          .arg(index.row() + 1)
-          .arg(pddlOf(plan_->steps[static_cast<std::size_t>(index.row())]));
+      return number > 0 ? QStringLiteral("step %1: %2").arg(number).arg(step.pddl)
+                        : QStringLiteral("of the plan before: %1").arg(step.pddl);
     case Qt::TextAlignmentRole:
       return index.column() == Mark ? QVariant(Qt::AlignCenter) : QVariant();
     case ProgressRole:
-      return static_cast<int>(progress);
+      return static_cast<int>(step.progress);
     default:
       return {};
   }

@@ -3,6 +3,7 @@
 
 #include <QAbstractTableModel>
 #include <boost/make_shared.hpp>
+#include <vector>
 
 #include "goal_alignment/ExecutePlanFeedback.h"
 #include "goal_alignment/ExecutePlanResult.h"
@@ -10,7 +11,8 @@
 
 namespace goal_alignment::rviz_panel {
 
-/// The steps of a plan, and how far its execution has come.
+/// The steps of a plan, and how far its execution has come. What was done of earlier plans for the
+/// same task stays above them.
 class PlanModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -30,8 +32,11 @@ class PlanModel : public QAbstractTableModel {
   void end(const ExecutePlanResult& result);
 
   const Plan& plan() const { return *plan_; }
+  int stepCount() const { return static_cast<int>(plan_->steps.size()); }
   /// Index of the step in execution, -1: none.
   int runningStep() const;
+  /// Where the plan's own steps begin.
+  int firstRow() const { return static_cast<int>(done_.size()); }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -39,10 +44,19 @@ class PlanModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  Progress progressOf(int row) const;
-  void move(int step, Progress progress);
-  QString textOf(int row) const;
+  struct Step {
+    QString text;
+    QString pddl;
+    Progress progress;
+  };
 
+  Step stepOf(int row) const;
+  Progress progressOf(int step) const;
+  void move(int step, Progress progress);
+  QString textOf(int step) const;
+  void keepDone();
+
+  std::vector<Step> done_;  // of earlier plans
   Plan::ConstPtr plan_ = boost::make_shared<Plan>();
   int step_ = -1;  // all before it are done
   Progress of_step_ = Progress::Ahead;

@@ -44,7 +44,8 @@ QuestionCard::QuestionCard(QWidget* parent)
       text_(new WrappedLabel(this)),
       why_(new WrappedLabel(this)),
       scroll_(new ShortScroll(kMostTicks, this)),
-      buttons_(new QWidget(this)) {
+      buttons_(new QWidget(this)),
+      end_(new QWidget(this)) {
   setObjectName(QStringLiteral("question_card"));
   text_->setObjectName(QStringLiteral("question_text"));
   why_->setObjectName(QStringLiteral("question_why"));
@@ -57,26 +58,32 @@ QuestionCard::QuestionCard(QWidget* parent)
   layout->addWidget(text_);
   layout->addWidget(scroll_);
   layout->addWidget(why_);
-  layout->addWidget(buttons_);
-  auto* row = new QHBoxLayout(buttons_);
-  row->setContentsMargins(0, 2, 0, 0);
-  yes_ = addButton(QStringLiteral("&Yes"), QStringLiteral("yes"), QStringLiteral("Y"));
-  no_ = addButton(QStringLiteral("&No"), QStringLiteral("no"), QStringLiteral("N"));
-  unsure_ = addButton(QStringLiteral("&Don't know"), QStringLiteral("unsure"), QStringLiteral("D"));
+  for (QWidget* row : {buttons_, end_}) {
+    layout->addWidget(row);
+    (new QHBoxLayout(row))->setContentsMargins(0, 2, 0, 0);
+  }
+  yes_ = addButton(buttons_, QStringLiteral("&Yes"), QStringLiteral("yes"), QStringLiteral("Y"));
+  no_ = addButton(buttons_, QStringLiteral("&No"), QStringLiteral("no"), QStringLiteral("N"));
+  unsure_ = addButton(buttons_, QStringLiteral("&Don't know"), QStringLiteral("unsure"),
+                      QStringLiteral("D"));
+  decline_ = addButton(end_, QStringLiteral("No further &questions"), QStringLiteral("decline"),
+                       QStringLiteral("Q"));
   connect(yes_, &QPushButton::clicked, this, &QuestionCard::answerYes);
   connect(no_, &QPushButton::clicked, this, [this] { send(Answer::Request::NO); });
   connect(unsure_, &QPushButton::clicked, this, [this] { send(Answer::Request::UNSURE); });
+  connect(decline_, &QPushButton::clicked, this, [this] { send(Answer::Request::DECLINE); });
   hide();
 }
 
 // Alt and the letter work in the whole window, the bare letter while the panel has the focus.
-QPushButton* QuestionCard::addButton(const QString& text, const QString& name, const QString& key) {
-  auto* button = new QPushButton(text, buttons_);
+QPushButton* QuestionCard::addButton(QWidget* row, const QString& text, const QString& name,
+                                     const QString& key) {
+  auto* button = new QPushButton(text, row);
   button->setObjectName(name);
   button->setToolTip(QStringLiteral("Alt+%1; or %1 while the panel has the focus").arg(key));
   button->setMinimumWidth(1);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  buttons_->layout()->addWidget(button);
+  row->layout()->addWidget(button);
   auto* shortcut =
       new QShortcut(QKeySequence(key), parentWidget() != nullptr ? parentWidget() : this);
   shortcut->setContext(Qt::WidgetWithChildrenShortcut);
@@ -142,6 +149,7 @@ void QuestionCard::labelButtons() {
   yes_->setEnabled(enabled && (!group || number > 0));
   no_->setEnabled(enabled);
   unsure_->setEnabled(enabled);
+  decline_->setEnabled(enabled);
   for (TickBox* box : boxes_)
     box->setEnabled(enabled);
 }

@@ -32,7 +32,8 @@ class QuestionCard : public Card {
   void answered(int answer, quint32 question_id, const QStringList& fluents);
 
  private:
-  QPushButton* addButton(const QString& text, const QString& name, const QString& key);
+  QPushButton* addButton(QWidget* row, const QString& text, const QString& name,
+                         const QString& key);
   void showTicks(const Question& question, const QStringList& ticked_before);
   QStringList ticked() const;
   void labelButtons();
@@ -47,9 +48,11 @@ class QuestionCard : public Card {
   WrappedLabel* why_;
   ShortScroll* scroll_;
   QWidget* buttons_;
+  QWidget* end_;
   QPushButton* yes_;
   QPushButton* no_;
   QPushButton* unsure_;
+  QPushButton* decline_;
   std::vector<TickBox*> boxes_;
   QStringList fluents_;
 };

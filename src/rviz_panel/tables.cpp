@@ -115,7 +115,7 @@ CandidateTable::CandidateTable(QWidget* parent)
   QHeaderView* header = horizontalHeader();
   header->setSectionResizeMode(QHeaderView::Fixed);
   header->setSectionResizeMode(CandidateModel::Phrase, QHeaderView::Stretch);
-  header->resizeSection(CandidateModel::Belief, widthOf(*this, QStringLiteral("100 %")) + 4);
+  header->resizeSection(CandidateModel::Belief, widthOf(*this, QStringLiteral("Chance")) + 4);
   QFont bold = font();
   bold.setBold(true);
   header->resizeSection(
@@ -205,11 +205,13 @@ PlanTable::PlanTable(QWidget* parent) : RowTable(QStringLiteral("No plan yet"), 
   header->setSectionResizeMode(PlanModel::Text, QHeaderView::Stretch);
   header->resizeSection(PlanModel::Mark, widthOf(*this, QStringLiteral("888")));
   connect(&steps_, &PlanModel::modelReset, this, [this] {
+    if (steps_.firstRow() > 0) scrollTo(steps_.index(steps_.firstRow(), 0));
     setPlaceholder(steps_.plan().plan_id > 0 ? QStringLiteral("Nothing to do: all is so already")
                                              : QStringLiteral("No plan yet"));
   });
   connect(&steps_, &PlanModel::dataChanged, this, [this] {
-    if (steps_.runningStep() >= 0) scrollTo(steps_.index(steps_.runningStep(), 0));
+    if (steps_.runningStep() >= 0)
+      scrollTo(steps_.index(steps_.firstRow() + steps_.runningStep(), 0));
   });
 }
 

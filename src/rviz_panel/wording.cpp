@@ -22,6 +22,14 @@ QString outcomeLine(const AlignmentState& state) {
     case AlignResult::GOAL_UNSOLVABLE:
     case AlignResult::EXPECTATION_UNACHIEVABLE:
       return QStringLiteral("There is no plan, that is certain");
+    case AlignResult::UNSURE_BLOCKS:
+      return QStringLiteral("It depends on what you are not sure of");
+    case AlignResult::DECLINED:
+      return QStringLiteral("No further questions, and so no plan");
+    case AlignResult::NO_ANSWER:
+      return QStringLiteral("Nobody answered");
+    case AlignResult::BUSY:
+      return QStringLiteral("Another plan is being carried out");
     default:
       return QStringLiteral("Ended without a plan (outcome %1)").arg(state.outcome);
   }
@@ -73,7 +81,7 @@ QString stateWord(std::uint8_t candidate_state) {
     case Candidate::NOT_WANTED:
       return QStringLiteral("not wanted");
     case Candidate::UNSURE:
-      return QStringLiteral("unsure");
+      return QStringLiteral("not sure");
     case Candidate::SETTLED:
       return QStringLiteral("settled");
     default:
@@ -102,13 +110,13 @@ QString phaseLine(const AlignmentState& state) {
   }
 }
 
-QString titleOf(const AlignmentState& state) {
-  const QString task = sentence(QString::fromStdString(state.task_id).replace('_', ' '));
-  const QString person = QString::fromStdString(state.person);
-  if (task.isEmpty() && person.isEmpty()) return {};
-  if (person.isEmpty()) return task;
-  return task.isEmpty() ? QStringLiteral("A task for %1").arg(person)
-                        : QStringLiteral("%1, for %2").arg(task, person);
+QString titleOf(const std::string& task_id, const std::string& person) {
+  const QString task = sentence(QString::fromStdString(task_id).replace('_', ' '));
+  const QString whose = QString::fromStdString(person);
+  if (task.isEmpty() && whose.isEmpty()) return {};
+  if (whose.isEmpty()) return task;
+  return task.isEmpty() ? QStringLiteral("A task for %1").arg(whose)
+                        : QStringLiteral("%1, for %2").arg(task, whose);
 }
 
 bool isUnderWay(const AlignmentState& state) {

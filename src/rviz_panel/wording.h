@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "goal_alignment/ActionDispatch.h"
@@ -32,7 +33,7 @@ bool isAnswered(const Candidate& candidate);
 /// One line on where the alignment stands.
 QString phaseLine(const AlignmentState& state);
 /// The task and whose it is; "" where neither is known.
-QString titleOf(const AlignmentState& state);
+QString titleOf(const std::string& task_id, const std::string& person);
 
 bool isUnderWay(const AlignmentState& state);
 /// DONE, and not by a plan.

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@
 #include "goal_alignment/phrasing/reply.h"
 #include "goal_alignment/phrasing/spoken_question.h"
 #include "goal_alignment/phrasing/vocabulary.h"
+#include "goal_alignment/ros_interface/outcome_watch.h"
 #include "goal_alignment/ros_interface/question_watch.h"
 #include "goal_alignment/ros_interface/speech_options.h"
 #include "goal_alignment/ros_interface/speech_process.h"
@@ -30,9 +32,10 @@ namespace goal_alignment::ros_interface {
 
 /// Answers `ask_human` by speech: says the question, and takes what a speech recogniser heard from
 /// `recognised_speech`. What comes while it speaks itself, shortly after, or without a question
-/// counts for nothing. Leaves a question at once when `~question` shows that it is over. All that
-/// it says stands on `~said`, also where nothing can say it aloud. It listens on a thread of its
-/// own, however many calls wait.
+/// counts for nothing. Leaves a question at once when `~question` shows that it is over. It says
+/// how a task ended, and takes up the alternative that the person names. All that it says stands on
+/// `~said`, also where nothing can say it aloud. It listens on a thread of its own, however many
+/// calls wait.
 class SpeechDialogue {
  public:
   /// Throws ParameterError, YamlError, or what pddl::readFile() throws.
@@ -51,13 +54,17 @@ class SpeechDialogue {
                                 const std::optional<phrasing::Reply>& reply) const;
 
   // Of the speaking thread.
+  using IsOver = std::function<bool()>;
   std::optional<Question> awaitQuestion();
   std::optional<phrasing::Reply> converse(const Question& question);
-  bool say(const Question& question, const std::string& text);
+  void tellEnd(const AlignmentState& end);
+  void tellPlan(const AlignmentState& end, const IsOver& is_over);
+  void offerAlternatives(const AlignmentState& end, const IsOver& is_over);
+  bool say(const std::string& text, const IsOver& is_over);
   bool startSpeaking(const std::string& text);
   void warnOnce(const std::string& fault);
-  std::optional<std::string> awaitWords(const Question& question, Clock::time_point until);
-  bool isOver(const Question& question) const;
+  std::optional<std::string> awaitWords(Clock::time_point until, const IsOver& is_over);
+  bool isQuestionWaiting();
   void deafen();
   void listen();
   void finish(const std::optional<phrasing::Reply>& reply);
@@ -82,6 +89,7 @@ class SpeechDialogue {
   ros::CallbackQueue recognitions_;
   ros::Subscriber recognised_;
   QuestionWatch watch_;
+  OutcomeWatch ends_;
   ros::ServiceServer service_;
   ros::AsyncSpinner listener_;
 };

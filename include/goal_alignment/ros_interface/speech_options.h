@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "goal_alignment/ros_interface/vocabulary_file.h"
+
 namespace goal_alignment::ros_interface {
 
 /// The private parameters of speech_dialogue, read at its start. README.md's table lists them in
 /// this order.
 struct SpeechOptions {
-  std::string vocabulary =
-      "config/vocabulary/en.yaml";  ///< absolute, or below the package's folder
+  std::string vocabulary = kDefaultVocabulary;  ///< absolute, or below the package's folder
   /// Program and arguments; {text}, {voice} and {rate} are filled in. Empty: nothing is said aloud.
   std::vector<std::string> say_command = {"espeak-ng", "-v", "{voice}", "-s",
                                           "{rate}",    "--", "{text}"};

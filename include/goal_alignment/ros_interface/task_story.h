@@ -5,8 +5,8 @@
 #include <iosfwd>
 #include <mutex>
 #include <string>
+#include <vector>
 
-#include "goal_alignment/AlignFeedback.h"
 #include "goal_alignment/AlignResult.h"
 #include "goal_alignment/AlignmentState.h"
 #include "goal_alignment/AlternativeGoal.h"
@@ -28,13 +28,18 @@ class TaskStory {
   TaskStory(std::ostream& out, phrasing::Phrases phrases, bool tell_questions = true);
 
   void begin(const HumanTask& task);
-  void hear(const AlignFeedback& feedback);
+  void hear(const Question& question);
   void hear(const AlignmentState& state);
+  /// Whether the state and the questions that belong to the result were heard. They come on other
+  /// topics, perhaps later than the result.
+  bool hasHeardAllOf(const AlignResult& result);
   void hear(const AlignResult& result);
   /// After a result without a plan the person settles for this; another result will follow.
   void takeUp(const AlternativeGoal& alternative);
   /// After a result without a plan it is left to somebody else what to settle for.
   void awaitChoice();
+  /// After a result without a plan the person wants none of the alternatives.
+  void leaveIt();
   void hearStep(const Plan& plan, std::size_t index);
   /// Why the plan under way is given up for another.
   void hearTrouble(const std::string& reason);
@@ -43,12 +48,15 @@ class TaskStory {
 
  private:
   // All below need mutex_.
+  void forgetDialogue();
+  void goOn();
   void tellBreak();
   void tellDialogue();
   void tellQuestion(const Question& question);
   bool isOver(const Question& question) const;
   bool isLaterAsked() const;
   void tellAnswer(const Question& question);
+  void tellOtherAnswers();
   const Candidate* candidateOf(const Fluent& fluent) const;
   const char* answerTo(const Fluent& fluent) const;
   void tellPlan(const Plan& plan);
@@ -67,6 +75,8 @@ class TaskStory {
   bool told_question_ = false;  // the first of questions_
   bool has_ended_ = false;
   std::deque<Question> questions_;
+  std::vector<Fluent> asked_about_;    // in all questions of the session
+  std::uint32_t heard_questions_ = 0;  // since the last end
   std::uint32_t last_id_ = 0;
   std::size_t told_steps_ = 0;
 };

@@ -116,6 +116,101 @@ TEST(Vocabulary, SpeaksGermanFromItsFile) {
   EXPECT_EQ(german.numbered(4, "Tee"), "fünf: Tee.");
 }
 
+void expectMeaning(const Vocabulary& vocabulary, const std::string& expected,
+                   const std::vector<std::string>& texts) {
+  for (const std::string& said : texts)
+    EXPECT_EQ(meaning(vocabulary, said), expected) << said;
+}
+
+TEST(Vocabulary, UnderstandsWhatPeopleSayInEnglish) {
+  expectMeaning(english(), "yes",
+                {"yeah sure", "yes of course", "Yes, it does matter to me.", "sure, it matters",
+                 "I think it does", "I do care", "very much so", "Yes, I'm sure", "sorry, yes"});
+  expectMeaning(english(), "no",
+                {"I don't care", "i dont care", "No, it does not matter.", "of course not",
+                 "Of course it doesn't.", "whatever", "no, whatever", "not really", "don't bother",
+                 "No, don't bother, thanks", "No, I don't mind at all", "I couldn't care less",
+                 "never mind", "nah, doesn't matter", "certainly not", "sorry, no",
+                 "it really doesn't matter to me", "no, nothing"});
+  expectMeaning(english(), "unsure",
+                {"you decide", "up to you", "whatever you like", "I don't know, you decide",
+                 "I'm not really sure", "hard to say", "maybe not"});
+  expectMeaning(english(), "decline", {"stop asking me", "No more questions, thank you"});
+}
+
+TEST(Vocabulary, UnderstandsWhatPeopleSayInGerman) {
+  const Vocabulary german = vocabularyOf("de.yaml");
+  expectMeaning(german, "yes",
+                {"ja klar", "klar doch", "Ja, natürlich!", "auf jeden Fall",
+                 "ja das ist mir wichtig", "nicht egal", "das ist mir nicht egal", "ja gern"});
+  expectMeaning(german, "no",
+                {"egal", "ist mir egal", "nö", "nein danke", "auf keinen Fall", "natürlich nicht",
+                 "Nein, das ist mir egal", "gar nicht wichtig", "nicht wirklich", "nö, lass mal",
+                 "das spielt keine Rolle", "ach nein"});
+  expectMeaning(german, "unsure",
+                {"weiß nicht", "entscheide du", "das überlasse ich dir",
+                 "keine Ahnung, entscheide du", "wie du willst"});
+}
+
+TEST(Vocabulary, AsksAgainRatherThanGuesses) {
+  expectMeaning(english(), "",
+                {"yes, it doesn't matter", "no, it does", "of course, never mind", "yeah no",
+                 "I don't know, I don't care", "not", "sure not", "not really unimportant",
+                 "I don't care about the rain", "okay", "yes and no", "it", "to me"});
+  expectMeaning(vocabularyOf("de.yaml"), "",
+                {"ja egal", "nein doch", "nicht", "nicht so egal", "nicht wirklich unwichtig",
+                 "mir", "ja nicht", "gut"});
+}
+
+const std::vector<std::string>& leftOut() {
+  static const std::vector<std::string> clauses = {"the tea is made with the good leaves",
+                                                   "the tea is served in the china cup"};
+  return clauses;
+}
+
+// The number of what is left out, "none", "repeat", or "".
+std::string choice(const Vocabulary& vocabulary, const std::string& said,
+                   const std::vector<std::string>& offered = leftOut()) {
+  const auto choice = vocabulary.choose(said, offered);
+  if (!choice) return "";
+  if (choice->kind == Choice::Kind::None) return "none";
+  if (choice->kind == Choice::Kind::Repeat) return "repeat";
+  return std::to_string(choice->index + 1);
+}
+
+TEST(Vocabulary, TakesTheAlternativeThatIsNamed) {
+  for (const char* said :
+       {"the first", "one", "1", "the first one please", "Yes, the first.", "I'll take the first",
+        "okay, option one", "I want the first one", "the good leaves", "without the good leaves",
+        "everything except the good leaves", "leave out the leaves"})
+    EXPECT_EQ(choice(english(), said), "1") << said;
+  for (const char* said : {"none", "none of them", "no", "No, thank you.", "neither", "nothing"})
+    EXPECT_EQ(choice(english(), said), "none") << said;
+  EXPECT_EQ(choice(english(), "say that again"), "repeat");
+  const Vocabulary german = vocabularyOf("de.yaml");
+  EXPECT_EQ(choice(german, "Ich nehme die zweite"), "2");
+  EXPECT_EQ(choice(german, "ohne den Tee", {"der Tee ist fertig", "die Tür ist zu"}), "1");
+  EXPECT_EQ(choice(german, "keins von beiden"), "none");
+}
+
+TEST(Vocabulary, TakesNoAlternativeThatIsNotClear) {
+  for (const char* said :
+       {"", "yes", "okay", "both", "the first and the second", "the tea", "the third",
+        "not the good leaves", "keep the good leaves", "I want the good leaves", "I don't care",
+        "whatever", "either", "you decide", "don't know", "bananas", "yes, but not the first"})
+    EXPECT_EQ(choice(english(), said), "") << said;
+  EXPECT_EQ(choice(vocabularyOf("de.yaml"), "egal"), "");
+}
+
+TEST(Vocabulary, TakesTheOnlyAlternativeForAYes) {
+  const std::vector<std::string> one = {"the tea is served in the china cup"};
+  for (const char* said :
+       {"yes", "okay", "yes please", "go ahead", "okay, do that", "without the cup"})
+    EXPECT_EQ(choice(english(), said, one), "1") << said;
+  EXPECT_EQ(choice(english(), "no", one), "none");
+  EXPECT_EQ(choice(english(), "I don't care", one), "");
+}
+
 // A vocabulary with this beside the least that there must be.
 std::string faultOf(const std::string& more, const std::string& say = "") {
   const std::string rest =
@@ -147,6 +242,10 @@ TEST(VocabularyFile, FaultsNameTheirPlace) {
   EXPECT_EQ(faultOf("{").rfind("words.yaml:", 0), 0U);
   EXPECT_NE(faultOf("", ", goodbye: b").find("'goodbye'"), std::string::npos);
   EXPECT_NE(faultOf("", ", sorry: again").find("'sorry'"), std::string::npos);
+  EXPECT_NE(faultOf("", ", chosen: c").find("'choose_one'"), std::string::npos) << "all or none";
+  EXPECT_EQ(faultOf("any: ['no']\nbeside: ['to me']"), "") << "what is said in addition";
+  EXPECT_EQ(faultOf("any: 'no'"),
+            "words.yaml:4:6: expected a list of what may be heard, found 'no'");
   EXPECT_NE(faultOf("why: ['a please']\nignored: ['please']\nrepeat: ['a']"), "")
       << "without what is ignored they are the same";
 }

@@ -15,14 +15,14 @@ Fluent fluent(const std::string& text) {
   return message;
 }
 
-AlignFeedback feedbackWith(std::uint32_t id, const std::string& name) {
-  AlignFeedback feedback;
-  feedback.question.session_id = "s";
-  feedback.question.question_id = id;
-  feedback.question.text = "what about " + name + "?";
-  feedback.question.why = "because of " + name;
-  feedback.question.fluents = {fluent(name)};
-  return feedback;
+Question questionAbout(std::uint32_t id, const std::string& name) {
+  Question question;
+  question.session_id = "s";
+  question.question_id = id;
+  question.text = "what about " + name + "?";
+  question.why = "because of " + name;
+  question.fluents = {fluent(name)};
+  return question;
 }
 
 AlignmentState stateWith(const std::vector<std::pair<std::string, int>>& candidates) {
@@ -55,9 +55,9 @@ class Story : public testing::Test {
 };
 
 TEST_F(Story, keepsItsOrderWhenMessagesOvertakeEachOther) {
-  story_.hear(feedbackWith(1, "a"));
+  story_.hear(questionAbout(1, "a"));
   EXPECT_EQ(out_.str(), "") << "where the plan breaks is not known yet";
-  story_.hear(feedbackWith(2, "b"));
+  story_.hear(questionAbout(2, "b"));
   story_.hear(stateWith({{"a", Candidate::ASKED}, {"b", Candidate::OPEN}}));
   EXPECT_EQ(out_.str().find("about b"), std::string::npos) << "a is not answered yet";
   story_.hear(stateWith({{"a", Candidate::WANTED}, {"b", Candidate::NOT_WANTED}}));
@@ -66,8 +66,8 @@ TEST_F(Story, keepsItsOrderWhenMessagesOvertakeEachOther) {
 }
 
 TEST_F(Story, tellsAnAnswerToEachOfAGroup) {
-  AlignFeedback group = feedbackWith(1, "a");
-  group.question.fluents.push_back(fluent("b"));
+  Question group = questionAbout(1, "a");
+  group.fluents.push_back(fluent("b"));
   story_.hear(group);
   story_.hear(stateWith({{"a", Candidate::WANTED}, {"b", Candidate::ASKED}}));
   EXPECT_EQ(out_.str().find("answers"), std::string::npos) << "b is not answered yet";
@@ -76,19 +76,98 @@ TEST_F(Story, tellsAnAnswerToEachOfAGroup) {
 }
 
 TEST_F(Story, goesOnAfterAQuestionThatWasTakenBack) {
-  story_.hear(feedbackWith(1, "a"));
+  story_.hear(questionAbout(1, "a"));
   story_.hear(stateWith({{"a", Candidate::ASKED}, {"b", Candidate::OPEN}}));
-  story_.hear(feedbackWith(2, "b"));
+  story_.hear(questionAbout(2, "b"));
   EXPECT_EQ(out_.str().find("about b"), std::string::npos) << "a may still be answered";
   story_.hear(stateWith({{"a", Candidate::SETTLED}, {"b", Candidate::ASKED}}));
   story_.hear(stateWith({{"a", Candidate::SETTLED}, {"b", Candidate::NOT_WANTED}}));
   expectInOrder({"what about a?", "no answer is needed any more", "what about b?", "answers: no"});
 }
 
+TEST_F(Story, tellsAQuestionThatNarrowsOrClosesOnce) {
+  story_.hear(questionAbout(1, "a"));
+  story_.hear(Question{});
+  story_.hear(questionAbout(1, "a"));
+  story_.hear(stateWith({{"a", Candidate::WANTED}}));
+  EXPECT_EQ(out_.str().find("what about"), out_.str().rfind("what about")) << "told twice";
+}
+
+AlignResult resultWith(const std::vector<std::pair<std::string, int>>& candidates,
+                       std::uint32_t questions) {
+  AlignResult result;
+  result.session_id = "s";
+  result.outcome = AlignResult::SUCCESS;
+  result.candidates = stateWith(candidates).candidates;
+  result.questions = questions;
+  return result;
+}
+
+TEST_F(Story, waitsForTheStateAndTheQuestionsOfAResult) {
+  const AlignResult result =
+      resultWith({{"a", Candidate::WANTED}, {"b", Candidate::NOT_WANTED}}, 2);
+  EXPECT_FALSE(story_.hasHeardAllOf(result)) << "no state yet";
+  AlignmentState done = stateWith({{"a", Candidate::WANTED}, {"b", Candidate::NOT_WANTED}});
+  done.phase = AlignmentState::DONE;
+  done.session_id = "another";
+  story_.hear(done);
+  story_.hear(questionAbout(1, "a"));
+  story_.hear(questionAbout(2, "b"));
+  EXPECT_FALSE(story_.hasHeardAllOf(result)) << "the state is another session's";
+  done.session_id = "s";
+  story_.hear(done);
+  EXPECT_TRUE(story_.hasHeardAllOf(result));
+  story_.hear(result);
+  expectInOrder({"step 1 fails", "what about a?", "answers: yes", "what about b?", "answers: no",
+                 "a plan of 0 steps"});
+}
+
+TEST_F(Story, missesAQuestionWhoseAnswerIsKnown) {
+  AlignmentState done = stateWith({{"a", Candidate::WANTED}, {"b", Candidate::NOT_WANTED}});
+  done.phase = AlignmentState::DONE;
+  story_.hear(questionAbout(1, "a"));
+  story_.hear(done);
+  // A question was taken back, and "b" is still on its way.
+  EXPECT_FALSE(story_.hasHeardAllOf(
+      resultWith({{"a", Candidate::WANTED}, {"b", Candidate::NOT_WANTED}}, 1)));
+  EXPECT_FALSE(story_.hasHeardAllOf(resultWith({{"a", Candidate::WANTED}}, 2)));
+  EXPECT_TRUE(story_.hasHeardAllOf(resultWith({{"a", Candidate::WANTED}}, 1)));
+  AlignResult refused;
+  EXPECT_TRUE(story_.hasHeardAllOf(refused)) << "there is no session to hear of";
+}
+
+TEST_F(Story, anotherEndIsAwaitedWhereTheSessionGoesOn) {
+  AlignmentState done = stateWith({{"a", Candidate::WANTED}});
+  done.phase = AlignmentState::DONE;
+  story_.hear(questionAbout(1, "a"));
+  story_.hear(done);
+  const AlignResult result = resultWith({{"a", Candidate::WANTED}}, 1);
+  story_.hear(result);
+  story_.takeUp(AlternativeGoal{});
+  EXPECT_FALSE(story_.hasHeardAllOf(resultWith({{"a", Candidate::NOT_WANTED}}, 0)));
+  story_.hear(done);
+  EXPECT_TRUE(story_.hasHeardAllOf(resultWith({{"a", Candidate::NOT_WANTED}}, 0)));
+}
+
+TEST_F(Story, tellsAnswersThatNobodyWasAskedFor) {
+  AlignResult result = resultWith({{"a", Candidate::WANTED}, {"b", Candidate::WANTED}}, 0);
+  result.candidates[1].answered_by = "assumed";
+  story_.hear(result);
+  expectInOrder({"has also answered: a: yes", "a plan of 0 steps"});
+  EXPECT_EQ(out_.str().find("answered: b"), std::string::npos) << "nobody said so";
+}
+
+TEST_F(Story, whereADialogueShowsTheQuestionsAnswersNameWhatTheyAreTo) {
+  TaskStory story(out_, {}, false);
+  story.hear(questionAbout(1, "a"));
+  story.hear(stateWith({{"a", Candidate::WANTED}}));
+  expectInOrder({"answers: a: yes"});
+  EXPECT_EQ(out_.str().find("what about"), std::string::npos);
+}
+
 TEST_F(Story, tellsAQuestionThatIsPutAgainOnce) {
-  story_.hear(feedbackWith(1, "a"));
-  AlignFeedback again = feedbackWith(2, "a");
-  story_.hear(again);
+  story_.hear(questionAbout(1, "a"));
+  story_.hear(questionAbout(2, "a"));
   story_.hear(stateWith({{"a", Candidate::WANTED}}));
   expectInOrder({"what about a?", "answers: yes"});
   EXPECT_EQ(out_.str().find("what about"), out_.str().rfind("what about")) << "told twice";
@@ -116,7 +195,7 @@ TEST_F(Story, goesOnWithTheAlternativeThatIsTakenUp) {
   no_plan.alternatives[0].given_up = {fluent("peace"), fluent("quiet")};
   story_.hear(no_plan);
   story_.takeUp(no_plan.alternatives[0]);
-  story_.hear(feedbackWith(1, "a"));
+  story_.hear(questionAbout(1, "a"));
   story_.hear(stateWith({{"a", Candidate::ASKED}}));
   EXPECT_EQ(out_.str().find("answer"), std::string::npos) << "the question is open";
   AlignResult found;
@@ -130,7 +209,7 @@ TEST_F(Story, goesOnWithTheAlternativeThatIsTakenUp) {
 }
 
 TEST_F(Story, isCompletedByTheResult) {
-  story_.hear(feedbackWith(1, "a"));
+  story_.hear(questionAbout(1, "a"));
   AlignResult result;
   result.session_id = "s";
   result.outcome = AlignResult::SUCCESS;
