@@ -8,12 +8,28 @@
 #include <iostream>
 
 #include "goal_alignment/ros_interface/graceful_end.h"
+#include "goal_alignment/ros_interface/model_source.h"
+
+namespace {
+
+// Only for its language, so that it is no reason not to ask.
+goal_alignment::phrasing::Phrases phrasesOfParameter() {
+  try {
+    return goal_alignment::ros_interface::phrasesOf(
+        ros::NodeHandle("~").param<std::string>("phrases", ""));
+  } catch (const std::exception& error) {
+    ROS_WARN("no phrases: %s", error.what());
+    return {};
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "console_dialogue");
   goal_alignment::ros_interface::endOnSigterm();
   goal_alignment::ros_interface::ConsoleDialogue dialogue(ros::NodeHandle{}, STDIN_FILENO,
-                                                          std::cout);
+                                                          std::cout, phrasesOfParameter());
   ros::AsyncSpinner spinner(2);  // a second asker waits for the first
   spinner.start();
   dialogue.run();

@@ -142,6 +142,7 @@ void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
   kept.ends_when_unsure = goal.unsure_policy == AlignGoal::ABORT;
   try {
     kept.phrases = phrasesOf(options.phrases);
+    if (!kept.phrases.warning().empty()) ROS_WARN("%s", kept.phrases.warning().c_str());
   } catch (const std::exception& error) {
     // Wording is no reason to refuse a task.
     announcer_.warn(fmt::format("no phrases: {}", error.what()));
@@ -281,7 +282,7 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
   AlignResult result = figures(last);
   const AlignResult said = toMessage(outcome, kept_.phrases);
   result.outcome = said.outcome;
-  result.message = spokenOutcome(outcome, last, kept_.phrases);
+  result.message = spokenOutcome(outcome, last, kept_.phrases, kept_.human_plan);
   result.conflict = said.conflict;
   result.conflict_proven = said.conflict_proven;
   result.conflict_minimal = said.conflict_minimal;
@@ -303,8 +304,9 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
   state.conflict_minimal = result.conflict_minimal;
   state.alternatives = result.alternatives;
   announcer_.publish(state);
-  announcer_.tell(fmt::format("outcome {} ({}): {}", result.outcome,
-                              session::outcomeWord(outcome.code), result.message));
+  announcer_.tell(kept_.phrases.say(
+      "event_outcome",
+      {std::to_string(result.outcome), session::outcomeWord(outcome.code), result.message}));
   if (ours) ticket.conclude(result);
 }
 

@@ -11,23 +11,27 @@
 
 #include "descriptor.h"
 #include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
 
 constexpr std::chrono::milliseconds kShutdownCheck{50};
+constexpr std::size_t kLongestEcho = 40;  // bytes
 
-std::string wordingOf(const Question& question) {
+std::string wordingOf(const Question& question, const phrasing::Phrases& phrases) {
   std::string text =
-      fmt::format("\nQuestion {}{} (at most {} left{}): {}\n", question.asked + 1,
-                  question.person.empty() ? "" : " for " + question.person, question.max_remaining,
-                  question.bound_is_provisional ? ", as far as is known" : "", question.text);
+      "\n" +
+      phrasing::questionLine({question.asked + 1, question.person, question.max_remaining,
+                              question.bound_is_provisional != 0, question.text},
+                             phrases) +
+      "\n";
   for (std::size_t i = 0; question.fluents.size() > 1 && i < question.fluents.size(); ++i) {
     text += fmt::format("  {}: {}\n", i + 1, question.fluents[i].text);
   }
-  if (!question.why.empty()) text += fmt::format("  Why I ask: {}\n", question.why);
-  return text + fmt::format("  {}\n", phrasing::replyKeys(question.fluents.size()));
+  if (!question.why.empty()) text += "  " + phrases.say("ask_why", {question.why}) + "\n";
+  return text + "  " + phrasing::replyKeys(question.fluents.size(), phrases.frames()) + "\n";
 }
 
 // Without a reply the question is left as it is.
@@ -58,8 +62,10 @@ ConsoleDialogue::WakePipe::~WakePipe() {
   close(ends[1]);
 }
 
-ConsoleDialogue::ConsoleDialogue(ros::NodeHandle node, int input, std::ostream& out)
+ConsoleDialogue::ConsoleDialogue(ros::NodeHandle node, int input, std::ostream& out,
+                                 phrasing::Phrases phrases)
     : out_(out),
+      phrases_(std::move(phrases)),
       lines_(input, wake_pipe_.ends[0]),
       watch_(node, [this] { wake(); }),
       service_(node.advertiseService(kAskHumanService, &ConsoleDialogue::ask, this)) {}
@@ -108,7 +114,7 @@ void ConsoleDialogue::showNewQuestion() {
   if (!question_ || finished_ || question_->question_id == shown_id_) return;
   shown_id_ = question_->question_id;
   shown_at_ = Clock::now();
-  out_ << wordingOf(*question_) << "> " << std::flush;
+  out_ << wordingOf(*question_, phrases_) << "> " << std::flush;
 }
 
 void ConsoleDialogue::leaveQuestionIfGone() {
@@ -116,14 +122,14 @@ void ConsoleDialogue::leaveQuestionIfGone() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (shown_id_ == 0 || !question_ || !watch_.isGone(*question_)) return;
   }
-  out_ << "\nThis question is no longer open." << std::endl;
+  out_ << '\n' << phrases_.say("ask_gone") << std::endl;
   finish(std::nullopt);
   replaced_another_ = true;
 }
 
 void ConsoleDialogue::treatLine(const std::string& line) {
   if (shown_id_ == 0) {
-    if (!trimmed(line).empty()) out_ << "There is no question open." << std::endl;
+    if (!trimmed(line).empty()) out_ << phrases_.say("ask_nothing") << std::endl;
     return;
   }
   std::size_t fluents = 0;
@@ -131,13 +137,13 @@ void ConsoleDialogue::treatLine(const std::string& line) {
     const std::lock_guard<std::mutex> lock(mutex_);
     fluents = question_ ? question_->fluents.size() : 0;
   }
-  const auto reply = phrasing::parseReply(line, fluents);
+  const auto reply = phrasing::parseReply(line, fluents, phrases_.frames());
   if (!reply) {
-    out_ << fmt::format("I did not understand '{:.40}'. {}\n> ", trimmed(line),
-                        phrasing::replyKeys(fluents))
+    const std::string keys = phrasing::replyKeys(fluents, phrases_.frames());
+    out_ << phrases_.say("ask_again", {shortened(trimmed(line), kLongestEcho), keys}) << "\n> "
          << std::flush;
   } else if (cameTooEarly()) {
-    out_ << "This question has just replaced the one before; please read it.\n> " << std::flush;
+    out_ << phrases_.say("ask_replaced") << "\n> " << std::flush;
   } else {
     finish(reply);
     replaced_another_ = false;
@@ -162,9 +168,7 @@ void ConsoleDialogue::finish(const std::optional<phrasing::Reply>& reply) {
 
 void ConsoleDialogue::sayGoodbye() {
   if (lines_.atEnd()) {
-    out_ << "\nEnd of input: no more questions are answered here. Another dialogue node or the "
-            "service ~answer may answer them."
-         << std::endl;
+    out_ << '\n' << phrases_.say("ask_end_of_input") << std::endl;
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <utility>
 
 #include "implementation.h"
@@ -12,7 +13,31 @@ using questions::Knowledge;
 Reason Session::Implementation::reasonFor(const questions::Choice& choice) const {
   if (!choice.conflict) return {};
   const Conflict& conflict = robot().conflicts()[*choice.conflict];
-  return {fluents(conflict.members), conflict.proven, 0};
+  return {fluents(conflict.members), conflict.proven, 0, cantBeHadAlone(conflict)};
+}
+
+/// Whatever else is asked for.
+bool Session::Implementation::cantBeHadAlone(const Conflict& conflict) const {
+  const std::vector<std::size_t> members = achievability::members(conflict.members);
+  return conflict.proven && members.size() == 1 &&
+         ((problem_->specified.empty() && problem_->condition.empty()) ||
+          robot().recallAlone(members.front()) == achievability::Verdict::Unachievable);
+}
+
+/// Whether the fluent may be so for a while and then no more.
+bool Session::Implementation::mayPass(const Literal& fluent) const {
+  const auto passes = [&](const pddl::Model& model) {
+    const auto predicate = model.findPredicate(fluent.atom.name);
+    const auto undoes = [&](const pddl::LiftedAtom& atom) { return atom.predicate == predicate; };
+    const auto any = [&](const auto& effect) {
+      const auto& atoms = fluent.negated ? effect.add : effect.del;
+      return std::any_of(atoms.begin(), atoms.end(), undoes);
+    };
+    return std::any_of(model.schemas.begin(), model.schemas.end(), [&](const auto& schema) {
+      return any(schema) || std::any_of(schema.conditional.begin(), schema.conditional.end(), any);
+    });
+  };
+  return passes(problem_->human) || passes(problem_->robot);
 }
 
 void Session::Implementation::ask(const std::vector<questions::Choice>& choices) {
@@ -42,6 +67,7 @@ void Session::Implementation::ask(const std::vector<Dialogue::Posed>& posed) {
     view.fluents.push_back(dialogue_.fluents()[candidate]);
     view.reasons.push_back(reason);
     view.probabilities.push_back(beliefs_[candidate]);
+    view.at_end = view.at_end || mayPass(view.fluents.back());
   }
   view.asked = asked - 1;
   view.max_remaining = mostRemaining(now);

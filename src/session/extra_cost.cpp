@@ -82,7 +82,7 @@ bool Session::Implementation::askAboutCost(const CandidateSet& wished, const tas
     with.set(candidate);
     const search::Improved kept = cheapened(with, plan, kStates);
     if (!passes(kept.cost)) {
-      ask({Dialogue::Posed{candidate, Reason{{}, true, extra(kept.cost)}}});
+      ask({Dialogue::Posed{candidate, Reason{{}, true, extra(kept.cost), false}}});
       return true;
     }
     free |= trueAtEnd(kept.plan);

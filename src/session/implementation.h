@@ -43,7 +43,9 @@ class Session::Implementation {
   const Outcome& outcome() const { return outcome_; }
   const Dialogue& dialogue() const { return dialogue_; }
   const Statistics& statistics() const { return statistics_; }
-  const std::string& humanPlanInRobotModel() const { return robot_side_.human_plan_violation; }
+  const std::optional<validation::Violation>& humanPlanViolation() const {
+    return robot_side_.human_plan_violation;
+  }
   CancelToken& cancelToken() { return cancel_; }
 
  private:
@@ -83,6 +85,8 @@ class Session::Implementation {
   void ask(const std::vector<Dialogue::Posed>& posed);
   Reason reasonFor(const questions::Choice& choice) const;
   std::size_t mostRemaining(const questions::Situation& now) const;
+  bool cantBeHadAlone(const achievability::Conflict& conflict) const;
+  bool mayPass(const Literal& fluent) const;
 
   // extra_cost.cpp: what keeping things costs that nobody asked for
   bool costsMatter() const;

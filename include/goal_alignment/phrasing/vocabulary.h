@@ -35,7 +35,7 @@
 ///       group_answers: "Please say the numbers, all, or none."
 ///       no_reason: "I have no reason to give."
 ///
-/// Case and punctuation do not count.
+/// Case, accents and punctuation do not count, and `ß` is `ss`.
 namespace goal_alignment::phrasing {
 
 /// What was understood of what a person said.
@@ -93,7 +93,7 @@ class Vocabulary {
   std::string no_reason_;
 };
 
-/// The words of a text in lower case, without punctuation but for apostrophes within them.
+/// The words of a text as folded() has them, without punctuation but for apostrophes within them.
 std::vector<std::string> wordsOf(const std::string& text);
 
 }  // namespace goal_alignment::phrasing

@@ -26,7 +26,9 @@ namespace goal_alignment::ros_interface {
 /// shows that it is over; ends at the end of input and at shutdown, even while it waits for a line.
 class ConsoleDialogue {
  public:
-  ConsoleDialogue(ros::NodeHandle node, int input, std::ostream& out);
+  /// It speaks the language of `phrases`.
+  ConsoleDialogue(ros::NodeHandle node, int input, std::ostream& out,
+                  phrasing::Phrases phrases = {});
 
   /// Talks to the person until the input ends or the node shuts down. The calling thread alone
   /// reads and writes the terminal; callbacks must run in others.
@@ -54,6 +56,7 @@ class ConsoleDialogue {
   bool cameTooEarly() const;
 
   std::ostream& out_;
+  const phrasing::Phrases phrases_;
   WakePipe wake_pipe_;
   LineReader lines_;
 
