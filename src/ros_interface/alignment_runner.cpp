@@ -311,10 +311,10 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
 }
 
 void AlignmentRunner::refuse(GoalTicket& ticket, const session::Outcome& outcome) {
-  announcer_.tell(
-      fmt::format("task {}refused ({}): {}",
-                  ticket.goal().task.task_id.empty() ? "" : ticket.goal().task.task_id + " ",
-                  static_cast<int>(outcome.code), outcome.message));
+  std::vector<std::string> why = {std::to_string(static_cast<int>(outcome.code)), outcome.message};
+  const std::string& task = ticket.goal().task.task_id;
+  if (!task.empty()) why.push_back(task);
+  announcer_.tell(kept_.phrases.say(task.empty() ? "event_refused" : "event_refused_named", why));
   if (!ticket.claim()) return;
   AlignResult result = ticket.interim();
   result.outcome = static_cast<std::uint16_t>(outcome.code);

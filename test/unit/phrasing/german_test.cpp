@@ -117,7 +117,8 @@ TEST_F(GermanDialogue, ARefusalAndWhatThereIsInstead) {
 }
 
 TEST(German, AnswersAreTypedInIt) {
-  const Frames& german = *Frames::shipped("de");
+  const Frames::Shared shared = Frames::shipped("de");
+  const Frames& german = *shared;
   const auto kind = [&](const std::string& line, std::size_t fluents = 1) {
     const auto reply = parseReply(line, fluents, german);
     return reply ? static_cast<int>(reply->kind) : -1;
