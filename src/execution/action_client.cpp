@@ -196,7 +196,7 @@ ActionClient::End ActionClient::run(const Bytes& goal, const Limits& limits,
   if (woken == Woken::Holds) return {End::Kind::Lost, 0, "", {}};
   End end{kindOf(woken), 0, "", {}};
   const Woken settled = wait_.settleUntil(deadlineIn(limits.cancel_patience), isOver);
-  if (settled == Woken::Timeout) end.text = "it did not end when it was cancelled";
+  if (settled == Woken::Timeout) end.text = "it did not end when it was canceled";
   if (settled != Woken::Holds || lost) return end;
   // It may have been faster than the cancel, and must not be done once more.
   const End ended = ending();

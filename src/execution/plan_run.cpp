@@ -38,7 +38,7 @@ PlanStep stepOf(const ActionDispatch& step) {
 }
 
 std::string about(const ActionDispatch& step) {
-  return fmt::format("step {} {}", step.action_id, textOf(step));
+  return fmt::format("step {} {}", step.action_id + 1, textOf(step));
 }
 
 }  // namespace
@@ -229,7 +229,7 @@ PlanRun::Trouble PlanRun::awaitFinding(
     if (!watch_ && step < 0) return {};  // everything is done
     if (parts_.wait.interrupted()) {
       return {ExecutePlanResult::CANCELED, step,
-              step < 0 ? "stopped at the end" : fmt::format("stopped before step {}", step), true};
+              step < 0 ? "stopped at the end" : fmt::format("stopped before step {}", step + 1), true};
     }
     if (!watch_) return {};
     const auto now = world();

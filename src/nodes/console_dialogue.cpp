@@ -9,6 +9,7 @@
 
 #include "goal_alignment/ros_interface/graceful_end.h"
 #include "goal_alignment/ros_interface/model_source.h"
+#include "goal_alignment/ros_interface/utf8_log.h"
 
 namespace {
 
@@ -26,6 +27,7 @@ goal_alignment::phrasing::Phrases phrasesOfParameter() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  goal_alignment::ros_interface::logInUtf8();
   ros::init(argc, argv, "console_dialogue");
   goal_alignment::ros_interface::endOnSigterm();
   goal_alignment::ros_interface::ConsoleDialogue dialogue(ros::NodeHandle{}, STDIN_FILENO,

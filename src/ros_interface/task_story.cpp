@@ -265,7 +265,7 @@ void TaskStory::hearStep(const Plan& plan, std::size_t index) {
 void TaskStory::hearTrouble(const std::string& reason) {
   const std::lock_guard<std::mutex> lock(mutex_);
   out_ << '\n';
-  tell("story_trouble", {ended(reason)});
+  tell("story_trouble", {ended(phrases_.inWords(reason))});
   out_ << std::flush;
 }
 
@@ -283,7 +283,8 @@ void TaskStory::hearEnd(const Plan& plan, const ExecutePlanResult& result) {
   if (done) {
     tell("story_guaranteed", {joined(plan.guaranteed)});
   } else {
-    tell("story_not_done", {std::to_string(result.outcome), ended(result.reason)});
+    tell("story_not_done",
+         {std::to_string(result.outcome), ended(phrases_.inWords(result.reason))});
   }
   out_ << std::flush;
 }

@@ -93,6 +93,10 @@ class Phrases {
   /// "step 3 (climb the ladder) can't be done: …". `step` is the plan's at violation.step.
   std::string failure(const validation::Violation& violation, const GroundName& step) const;
 
+  /// A text from elsewhere, in which each `(name argument …)` that has a template is put in words:
+  /// "step 1 (go from the hallway to the table) failed".
+  std::string inWords(const std::string& text) const;
+
   /// "the good leaves", or without a template "good leaves".
   std::string object(const std::string& name) const;
 
@@ -130,6 +134,7 @@ class Phrases {
   using Spoken = std::string (Phrases::*)(const Literal&) const;
   std::string listed(const std::vector<Literal>& fluents, Spoken spoken, bool whole) const;
   std::string reasonOf(const validation::Violation& violation) const;
+  std::optional<std::string> wordsFor(const std::string& pddl) const;
 
   std::map<std::string, Forms> predicates_;  ///< by name, in lower case like the rest
   std::map<std::string, TemplateText> actions_;

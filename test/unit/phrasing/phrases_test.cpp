@@ -206,6 +206,15 @@ TEST(Phrases, AFailureNamesTheStepAndWhatIsNotSo) {
   EXPECT_EQ(tea().failure(violation, step), begin + "I know nothing that is called black hole");
 }
 
+TEST(Phrases, WhatOthersSayInPddlIsPutInWords) {
+  EXPECT_EQ(
+      tea().inWords("step 2 (go hallway tea) failed (too late): (not (dusty cup)), then (x"),
+      "step 2 (go from hallway to the tea) failed (too late): (cup is free of dust), then (x");
+  EXPECT_EQ(tea().inWords(")) ((go hallway tea))"), ")) ((go from hallway to the tea))");
+  EXPECT_EQ(tea().inWords("(fly hallway)"), "(fly hallway)") << "no template";
+  EXPECT_EQ(tea().inWords(""), "");
+}
+
 TEST(Phrases, FilesThatSayNothingAreFine) {
   for (const std::string text : {"", "# only a comment\n", "objects:\n", "predicates: {}\n"}) {
     EXPECT_EQ(Phrases::fromYaml(text, "f").clause(Literal::parse("(p)")), "\"p\" holds") << text;
