@@ -21,6 +21,19 @@ foreach(floor IN LISTS core_floors)
   list(APPEND core_sources ${floor_sources})
 endforeach()
 
+# The languages of config/phrases are part of the library.
+file(GLOB language_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/config/phrases/*.yaml)
+set(SHIPPED_LANGUAGES "")
+foreach(language_file IN LISTS language_files)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${language_file})
+  get_filename_component(language ${language_file} NAME_WE)
+  file(READ ${language_file} language_text)
+  string(APPEND SHIPPED_LANGUAGES "      {\"${language}\", R\"yaml(${language_text})yaml\"},\n")
+endforeach()
+configure_file(${PROJECT_SOURCE_DIR}/src/phrasing/shipped_languages.cpp.in
+  ${CMAKE_CURRENT_BINARY_DIR}/shipped_languages.cpp @ONLY)
+list(APPEND core_sources ${CMAKE_CURRENT_BINARY_DIR}/shipped_languages.cpp)
+
 # Named, since catkin would otherwise change the default between the first and the second configure;
 # shared under catkin, so that other packages need not know what it links.
 set(core_library_type STATIC)

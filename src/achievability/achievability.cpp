@@ -264,7 +264,6 @@ search::Improved Achievability::improvedPlan(const CandidateSet& set, const task
   return search::improve(*task_, goalWith(set), plan, limits);
 }
 
-/// What is known of it without a search.
 std::optional<Verdict> Achievability::recallAlone(std::size_t candidate) const {
   if (reached_.test(candidate)) return Verdict::Achievable;
   if (never_true_.test(candidate) || exhaustive_complete_) return Verdict::Unachievable;

@@ -89,7 +89,7 @@ void findCandidates(Problem& problem, const Limits& limits) {
 
 HumanPlanInvalid::HumanPlanInvalid(const validation::Violation& violation)
     : Exception("the human's plan does not run in the human's model: " + violation.message),
-      step_(violation.step) {}
+      violation_(violation) {}
 
 GoalNotExpected::GoalNotExpected(const std::vector<Literal>& missing, const std::string& condition,
                                  bool plan_is_empty)
@@ -98,7 +98,8 @@ GoalNotExpected::GoalNotExpected(const std::vector<Literal>& missing, const std:
                           goalText(missing, condition)
                     : "the human's plan does not lead to the specified goal: at its end " +
                           goalText(missing, condition) + " is not so"),
-      missing_(missing) {}
+      missing_(missing),
+      has_condition_(!condition.empty()) {}
 
 std::vector<Literal> literals(const Problem& problem) {
   std::vector<Literal> result = problem.specified;

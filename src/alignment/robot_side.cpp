@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "goal_alignment/grounding/grounder.h"
-#include "goal_alignment/validation/execution.h"
 
 namespace goal_alignment::alignment {
 
@@ -27,7 +26,7 @@ RobotSide makeRobotSide(const Problem& problem, bool unit_costs,
   side.achievability->recordExecution(
       {problem.human_plan.begin(), problem.human_plan.begin() + steps_run}, limits);
   side.human_plan_runs = !execution.violation;
-  if (execution.violation) side.human_plan_violation = execution.violation->message;
+  side.human_plan_violation = execution.violation;
   return side;
 }
 

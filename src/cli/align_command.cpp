@@ -11,6 +11,7 @@
 #include "goal_alignment/cli/instance.h"
 #include "goal_alignment/cli/interrupt.h"
 #include "goal_alignment/cli/json_output.h"
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/pddl/parser.h"
 #include "goal_alignment/phrasing/phrases.h"
 #include "goal_alignment/phrasing/reply.h"
@@ -33,22 +34,29 @@ struct AlignArguments {
   AlignmentWords words;
 };
 
+constexpr std::size_t kLongestEcho = 40;  // bytes
+
 /// Asks on stderr, reads from stdin until the answer is one; nothing at the end of input.
 std::optional<phrasing::Reply> askOnTerminal(const QuestionView& question,
                                              const phrasing::Phrases& phrases) {
   const std::size_t count = question.fluents.size();
-  std::cerr << "\nQuestion " << question.asked + 1 << " (at most " << question.max_remaining
-            << " left" << (question.bound_is_provisional ? ", as far as is known" : "")
-            << "): " << phrases.question(question.fluents) << '\n';
+  std::cerr << '\n'
+            << phrasing::questionLine(
+                   {question.asked + 1, "", question.max_remaining, question.bound_is_provisional,
+                    phrases.question(question.fluents, question.at_end)},
+                   phrases)
+            << '\n';
   for (std::size_t i = 0; count > 1 && i < count; ++i)
     std::cerr << "  " << i + 1 << ": " << phrases.clause(question.fluents[i]) << '\n';
   const std::string why =
       phrases.why(question.reasons, question.if_yes, question.if_no, question.bound_is_provisional);
-  if (!why.empty()) std::cerr << "  Why I ask: " << why << '\n';
-  std::cerr << '[' << phrasing::replyKeys(count) << "] " << std::flush;
+  if (!why.empty()) std::cerr << "  " << phrases.say("ask_why", {why}) << '\n';
+  const std::string keys = phrasing::replyKeys(count, phrases.frames());
+  std::cerr << '[' << keys << "] " << std::flush;
   for (std::string line; std::getline(std::cin, line);) {
-    if (auto reply = phrasing::parseReply(line, count)) return reply;
-    std::cerr << "please answer with " << phrasing::replyKeys(count) << ": " << std::flush;
+    if (auto reply = phrasing::parseReply(line, count, phrases.frames())) return reply;
+    std::cerr << phrases.say("ask_again", {shortened(trimmed(line), kLongestEcho), keys}) << ' '
+              << std::flush;
   }
   return std::nullopt;
 }
@@ -56,7 +64,9 @@ std::optional<phrasing::Reply> askOnTerminal(const QuestionView& question,
 phrasing::Phrases readPhrases(const std::string& file) {
   if (file.empty()) return {};
   const pddl::Source source = pddl::readFile(file);
-  return phrasing::Phrases::fromYaml(source.text, source.name);
+  phrasing::Phrases phrases = phrasing::Phrases::fromYaml(source.text, source.name);
+  if (!phrases.warning().empty()) std::cerr << "warning: " << phrases.warning() << '\n';
+  return phrases;
 }
 
 const char* wordFor(AnswerKind answer) {
@@ -128,7 +138,7 @@ class Alignment {
     const session::Outcome& outcome = session_.outcome();
     std::cout << "; " << session::outcomeWord(outcome.code) << ": " << outcome.message << '\n';
     for (const session::Alternative& alternative : outcome.alternatives) {
-      std::cout << "; can do all but";
+      std::cout << "; can do everything except";
       for (const Literal& fluent : alternative.given_up)
         std::cout << ' ' << session_.spelling(fluent);
       std::cout << '\n';

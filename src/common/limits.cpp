@@ -16,7 +16,7 @@ const char* toString(LimitReason reason) noexcept {
     case LimitReason::Time:
       return "time";
     case LimitReason::Cancelled:
-      return "cancelled";
+      return "canceled";
   }
   return "unknown";
 }

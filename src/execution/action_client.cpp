@@ -197,7 +197,7 @@ ActionClient::End ActionClient::run(const Bytes& goal, const Limits& limits,
   End end{kindOf(woken), 0, "", {}, true};
   const Woken settled = wait_.settleUntil(deadlineIn(limits.cancel_patience), isOver);
   if (settled == Woken::Timeout) {
-    end.text = "it did not end when it was cancelled";
+    end.text = "it did not end when it was canceled";
     end.is_over = false;
   }
   if (settled != Woken::Holds || lost) return end;

@@ -80,13 +80,13 @@ std::string mappingFault(const Plan& plan, const StepMapping& mapping, MessageTy
   for (const ActionDispatch& step : plan.steps) {
     const StepRule* rule = mapping.find(step.name);
     if (rule == nullptr) {
-      return fmt::format("nothing says how to carry out step {} {}: {}", step.action_id,
+      return fmt::format("nothing says how to carry out step {} {}: {}", step.action_id + 1,
                          textOf(step), silenceOn(step.name, mapping));
     }
     try {
       checkStep(step, *rule, mapping, types);
     } catch (const std::exception& error) {
-      return fmt::format("step {} {}: {}", step.action_id, textOf(step), error.what());
+      return fmt::format("step {} {}: {}", step.action_id + 1, textOf(step), error.what());
     }
   }
   return {};

@@ -24,7 +24,7 @@ PlanStep stepOf(const ActionDispatch& step) {
 }
 
 std::string about(const ActionDispatch& step) {
-  return fmt::format("step {} {}", step.action_id, textOf(step));
+  return fmt::format("step {} {}", step.action_id + 1, textOf(step));
 }
 
 }  // namespace
@@ -129,7 +129,7 @@ PlanRun::Trouble PlanRun::awaitServers() {
   });
   parts_.set_missing(all_missing);
   if (!parts_.wait.interrupted()) return trouble;
-  return {ExecutePlanResult::CANCELED, 0, "stopped before step 0", true};
+  return {ExecutePlanResult::CANCELED, 0, "stopped before step 1", true};
 }
 
 // A new plan can do without a server that the failure facts speak of as a whole. Else it would want
@@ -149,7 +149,7 @@ bool PlanRun::isAvoidable(const StepRule& rule, const std::string& server) {
 PlanRun::Trouble PlanRun::beforeStep(std::size_t index) {
   using Kind = FactsWatch::Look::Kind;
   const FactsWatch::Look look = facts_.beforeStep(plan_, index);
-  const std::string stopped = fmt::format("stopped before step {}", index);
+  const std::string stopped = fmt::format("stopped before step {}", index + 1);
   switch (look.kind) {
     case Kind::Interrupted:
       return {ExecutePlanResult::CANCELED, static_cast<int>(index), stopped, true};

@@ -11,28 +11,41 @@
 #include <thread>
 
 #include "goal_alignment/ros_interface/graceful_end.h"
+#include "goal_alignment/ros_interface/model_source.h"
 #include "goal_alignment/ros_interface/outcome_watch.h"
+#include "goal_alignment/ros_interface/utf8_log.h"
 #include "goal_alignment/ros_interface/vocabulary_file.h"
 
 namespace {
 
 using namespace goal_alignment::ros_interface;  // NOLINT(google-build-using-namespace): a main
+using goal_alignment::phrasing::Phrases;
 
 constexpr double kLookPeriod = 0.05;  // seconds
 
+// Only for its language, so that it is no reason not to ask.
+Phrases phrasesOfParameter() {
+  try {
+    return phrasesOf(ros::NodeHandle("~").param<std::string>("phrases", ""));
+  } catch (const std::exception& error) {
+    ROS_WARN("no phrases: %s", error.what());
+    return {};
+  }
+}
+
 void tellEnd(const goal_alignment::AlignmentState& end, OutcomeWatch& ends,
-             ConsoleDialogue& dialogue, PromptedTerminal& terminal) {
+             ConsoleDialogue& dialogue, PromptedTerminal& terminal, const Phrases& phrases) {
   terminal.write("\n" + end.message + "\n");
   if (end.alternatives.empty()) return;
   const auto chosen = dialogue.choose(end.alternatives, [&] { return ends.isGone(end); });
   if (chosen && !ends.takeUp(end, end.alternatives.at(*chosen), end.person))
-    terminal.write("Nobody is there to go on with that.\n");
+    terminal.write(phrases.say("ask_nobody_goes_on") + "\n");
 }
 
-void tellEnds(ConsoleDialogue& dialogue, PromptedTerminal& terminal) {
+void tellEnds(ConsoleDialogue& dialogue, PromptedTerminal& terminal, const Phrases& phrases) {
   OutcomeWatch ends{ros::NodeHandle{}};
   while (ros::ok() && !dialogue.hasEnded()) {
-    if (const auto end = ends.takeEnd()) tellEnd(*end, ends, dialogue, terminal);
+    if (const auto end = ends.takeEnd()) tellEnd(*end, ends, dialogue, terminal, phrases);
     ros::WallDuration(kLookPeriod).sleep();
   }
 }
@@ -40,11 +53,13 @@ void tellEnds(ConsoleDialogue& dialogue, PromptedTerminal& terminal) {
 void run() {
   const std::string vocabulary =
       ros::NodeHandle("~").param<std::string>("vocabulary", kDefaultVocabulary);
+  const Phrases phrases = phrasesOfParameter();
   PromptedTerminal terminal(std::cout);
-  ConsoleDialogue dialogue(ros::NodeHandle{}, STDIN_FILENO, terminal, vocabularyOf(vocabulary));
+  ConsoleDialogue dialogue(ros::NodeHandle{}, STDIN_FILENO, terminal, vocabularyOf(vocabulary),
+                           phrases);
   ros::AsyncSpinner spinner(2);  // a second asker waits for the first
   spinner.start();
-  std::thread ends([&] { tellEnds(dialogue, terminal); });
+  std::thread ends([&] { tellEnds(dialogue, terminal, phrases); });
   dialogue.run();
   ends.join();
   ros::shutdown();
@@ -54,6 +69,7 @@ void run() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  logInUtf8();
   ros::init(argc, argv, "console_dialogue");
   endOnSigterm();
   try {

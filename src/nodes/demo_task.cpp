@@ -27,6 +27,7 @@
 #include "goal_alignment/ros_interface/task_file.h"
 #include "goal_alignment/ros_interface/task_story.h"
 #include "goal_alignment/ros_interface/vocabulary_file.h"
+#include "goal_alignment/ros_interface/utf8_log.h"
 
 namespace {
 
@@ -304,6 +305,7 @@ void run() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  goal_alignment::ros_interface::logInUtf8();
   ros::init(argc, argv, "demo_task", ros::init_options::NoSigintHandler);
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);

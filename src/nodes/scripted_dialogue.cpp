@@ -8,8 +8,10 @@
 #include <iostream>
 
 #include "goal_alignment/ros_interface/graceful_end.h"
+#include "goal_alignment/ros_interface/utf8_log.h"
 
 int main(int argc, char** argv) {
+  goal_alignment::ros_interface::logInUtf8();
   ros::init(argc, argv, "scripted_dialogue");
   goal_alignment::ros_interface::endOnSigterm();
   try {

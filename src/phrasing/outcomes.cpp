@@ -7,66 +7,80 @@ namespace goal_alignment::phrasing {
 
 namespace {
 
-/// More clauses than a person listens to.
-constexpr std::size_t kNamed = 5;
-
-/// "a", "a; and b", "a; b; c; d; e; and 3 more", each with `before` it.
-std::string listed(const Phrases& phrases, const std::vector<Literal>& fluents,
-                   const std::string& before = "") {
-  const std::size_t named = fluents.size() > kNamed + 1 ? kNamed : fluents.size();
-  std::string text;
-  for (std::size_t i = 0; i < named; ++i) {
-    const bool last = i + 1 == fluents.size();
-    text += (i == 0 ? "" : last ? "; and " : "; ") + before + phrases.clause(fluents[i]);
+std::string limitName(Limit limit) {
+  switch (limit) {
+    case Limit::Time:
+      return "out_of_time";
+    case Limit::Memory:
+      return "out_of_memory";
+    case Limit::Budget:
+      break;
   }
-  if (named < fluents.size()) text += "; and " + std::to_string(fluents.size() - named) + " more";
-  return text;
+  return "out_of_budget";
 }
 
 }  // namespace
 
 std::string goalUnsolvable(const Phrases& phrases, const std::vector<Literal>& specified) {
-  const std::string what = specified.empty() ? "" : ": " + listed(phrases, specified);
-  return "I can't do what you asked for" + what + ". That is certain.";
+  const std::string what = specified.empty()
+                               ? phrases.say("outcome_goal_unnamed")
+                               : phrases.say("outcome_goal", {phrases.fewClauses(specified)});
+  return what + " " + phrases.say("certain");
 }
 
-std::string expectationUnachievable(const Phrases& phrases, const std::vector<Literal>& conflict,
-                                    const std::vector<std::vector<Literal>>& alternatives) {
+std::string insteadOf(const Phrases& phrases,
+                      const std::vector<std::vector<Literal>>& alternatives) {
+  if (alternatives.empty()) return "";
   const std::size_t spoken = std::min(alternatives.size(), kSpokenAlternatives);
-  const std::vector<std::vector<Literal>> first(
-      alternatives.begin(), alternatives.begin() + static_cast<std::ptrdiff_t>(spoken));
-  std::string text = phrases.reason(conflict, true) + " That is certain.";
-  if (spoken > 0) text += " " + phrases.alternatives(first);
+  const std::string first = phrases.alternatives(
+      {alternatives.begin(), alternatives.begin() + static_cast<std::ptrdiff_t>(spoken)});
   const std::size_t more = alternatives.size() - spoken;
-  if (more == 1) text += " There is one more way.";
-  if (more > 1) text += " There are " + std::to_string(more) + " more ways.";
-  return text;
+  return first + (more == 0 ? "" : " " + phrases.counted("more_ways", more));
 }
 
-std::string unsureBlocks(const Phrases& phrases, const std::vector<Literal>& conflict, bool proven,
-                         const std::vector<Literal>& deciding) {
-  const std::string which = deciding.size() > 1 ? "which of these matter" : "whether this matters";
-  return phrases.reason(conflict, proven) + " It depends on " + which +
-         " to you: " + listed(phrases, deciding) + ".";
+std::string expectationUnachievable(const Phrases& phrases, const questions::Reason& reason,
+                                    const std::vector<std::vector<Literal>>& alternatives) {
+  const std::string instead = insteadOf(phrases, alternatives);
+  return phrases.reason(reason.conflict, true, reason.alone) + " " + phrases.say("certain") +
+         (instead.empty() ? "" : " " + instead);
 }
 
-std::string leftOpen(const Phrases& phrases, const std::vector<Literal>& conflict) {
-  return phrases.reason(conflict, false) + " My limits did not let me find out more.";
+std::string unsureBlocks(const Phrases& phrases, const questions::Reason& reason,
+                         const std::vector<Literal>& deciding,
+                         const std::vector<std::vector<Literal>>& alternatives) {
+  const std::string instead = insteadOf(phrases, alternatives);
+  return phrases.reason(reason.conflict, reason.proven, reason.alone) + " " +
+         phrases.say(deciding.size() > 1 ? "depends_on_which" : "depends_on",
+                     {phrases.fewClauses(deciding)}) +
+         (instead.empty() ? "" : " " + instead);
 }
 
-std::string planWithout(const Phrases& phrases, const std::vector<Literal>& assumed_not_wanted) {
-  return "I have a plan for what you asked for and all that you did not answer with no. Nobody was "
-         "asked about this, and I do not promise it: " +
-         listed(phrases, assumed_not_wanted) + ".";
+std::string leftOpen(const Phrases& phrases, const std::vector<Literal>& conflict, Limit limit) {
+  return phrases.reason(conflict, false) + " " + phrases.say(limitName(limit));
+}
+
+std::string leftOpen(const Phrases& phrases, const std::string& where, Limit limit) {
+  return phrases.say(limitName(limit) + "_in", {where});
+}
+
+std::string planFound(const Phrases& phrases, const std::vector<Literal>& not_promised) {
+  const std::string plan = phrases.say("outcome_plan");
+  if (not_promised.empty()) return plan;
+  return plan + " " + phrases.say("outcome_not_promised", {phrases.fewClauses(not_promised)});
+}
+
+std::string planMisses(const Phrases& phrases, const std::vector<Literal>& missing, bool has_plan) {
+  return phrases.say(has_plan ? "plan_misses" : "plan_missing", {phrases.fewClauses(missing)});
 }
 
 std::string supposition(const Phrases& phrases, const std::vector<Literal>& wanted,
                         const std::vector<Literal>& not_wanted) {
-  std::string text = "If it ";
-  if (!wanted.empty()) text += "mattered " + listed(phrases, wanted, "that ");
-  if (!wanted.empty() && !not_wanted.empty()) text += ", and ";
-  if (!not_wanted.empty()) text += "did not matter " + listed(phrases, not_wanted, "that ");
-  return text;
+  const std::string yes = phrases.thats(wanted);
+  const std::string no = phrases.thats(not_wanted);
+  if (not_wanted.empty()) {
+    return wanted.empty() ? phrases.say("suppose_nothing") : phrases.say("suppose_yes", {yes});
+  }
+  return wanted.empty() ? phrases.say("suppose_no", {no}) : phrases.say("suppose_both", {yes, no});
 }
 
 }  // namespace goal_alignment::phrasing

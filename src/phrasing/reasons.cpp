@@ -3,7 +3,7 @@
 
 #include "goal_alignment/phrasing/phrases.h"
 
-/// Why something is asked, where the answers lead, and what there is instead.
+/// What is asked and why, where the answers lead, and what there is instead.
 namespace goal_alignment::phrasing {
 
 using questions::Prospect;
@@ -23,27 +23,23 @@ std::string joined(const std::vector<std::string>& sentences) {
   return text;
 }
 
-std::string ifNo(const Prospect& prospect, bool group, bool provisional) {
-  const std::string condition = group ? "If none of them does, " : "If not, ";
-  if (prospect.ending == Ending::Plan) {
-    return condition +
-           (provisional ? "nothing that I know of stands in the way." : "I can do all the rest.");
-  }
+std::string ifNo(const Phrases& phrases, const Prospect& prospect, bool group, bool provisional) {
+  const std::string condition = group ? "if_none" : "if_no";
+  if (prospect.ending == Ending::Plan)
+    return phrases.say(condition + (provisional ? "_ahead" : "_rest"));
   if (prospect.ending != Ending::Open || prospect.settled == 0) return "";
-  return condition + "I need not ask about " +
-         (prospect.settled == 1 ? "one other thing."
-                                : std::to_string(prospect.settled) + " other things.");
+  return phrases.counted(condition + "_saves", prospect.settled);
 }
 
-std::string ifYes(const Prospect& prospect, bool group, bool conflict) {
-  const std::string condition = group ? "If all of them do, " : "If it does, ";
+std::string ifYes(const Phrases& phrases, const Prospect& prospect, bool group, bool conflict) {
+  const std::string condition = group ? "if_all" : "if_yes";
   switch (prospect.ending) {
     case Ending::NoPlan:
-      return condition + "I can't do all that you want.";
+      return phrases.say(condition + "_not_all");
     case Ending::Undecided:
-      return condition + "I don't know whether I can do all that you want.";
+      return phrases.say(condition + "_unknown");
     case Ending::Open:
-      return conflict ? condition + "something else has to give way." : "";
+      return conflict ? phrases.say(condition + "_leaves_out") : "";
     case Ending::Plan:
       break;
   }
@@ -51,6 +47,20 @@ std::string ifYes(const Prospect& prospect, bool group, bool conflict) {
 }
 
 }  // namespace
+
+std::string Phrases::question(const std::vector<Literal>& fluents, bool at_end) const {
+  if (fluents.empty()) return "";
+  const std::string name = fluents.size() == 1 ? "question" : "questions";
+  return say(name + (at_end ? "_at_end" : ""), {thats(fluents)});
+}
+
+std::string Phrases::reason(const std::vector<Literal>& conflict, bool proven, bool alone) const {
+  if (conflict.empty()) return "";
+  const std::string how_many = conflict.size() == 1   ? proven && alone ? "alone" : "one"
+                               : conflict.size() == 2 ? "two"
+                                                      : "many";
+  return say((proven ? "reason_" : "maybe_") + how_many, {clauses(conflict)});
+}
 
 std::string Phrases::why(const std::vector<Reason>& reasons, const Prospect& if_yes,
                          const Prospect& if_no, bool provisional) const {
@@ -63,28 +73,23 @@ std::string Phrases::why(const std::vector<Reason>& reasons, const Prospect& if_
   std::vector<std::string> sentences;
   bool conflict = false;
   for (std::size_t i = 0; i < distinct.size() && i < kMostReasons; ++i) {
-    conflict = conflict || !distinct[i].conflict.empty();
-    sentences.push_back(!distinct[i].conflict.empty()
-                            ? reason(distinct[i].conflict, distinct[i].proven)
-                            : "To keep it so costs " + std::to_string(distinct[i].extra_cost) +
-                                  " more than a plan for what I know to be wanted.");
+    const Reason& each = distinct[i];
+    conflict = conflict || !each.conflict.empty();
+    sentences.push_back(each.conflict.empty()
+                            ? say("reason_cost", {std::to_string(each.extra_cost)})
+                            : reason(each.conflict, each.proven, each.alone));
   }
   const bool group = reasons.size() > 1;
-  if (distinct.size() > kMostReasons) sentences.emplace_back("There are more such reasons.");
-  sentences.push_back(ifNo(if_no, group, provisional));
-  sentences.push_back(ifYes(if_yes, group, conflict));
+  if (distinct.size() > kMostReasons) sentences.push_back(say("more_reasons"));
+  sentences.push_back(ifNo(*this, if_no, group, provisional));
+  sentences.push_back(ifYes(*this, if_yes, group, conflict));
   return joined(sentences);
 }
 
 std::string Phrases::alternatives(const std::vector<std::vector<Literal>>& given_up) const {
   std::vector<std::string> sentences;
-  for (const std::vector<Literal>& set : given_up) {
-    std::string clauses;
-    for (const Literal& fluent : set)
-      clauses += (clauses.empty() ? "" : "; and ") + clause(fluent);
-    sentences.push_back((sentences.empty() ? "I can do all but this: " : "Or all but this: ") +
-                        clauses + ".");
-  }
+  for (const std::vector<Literal>& set : given_up)
+    sentences.push_back(say(sentences.empty() ? "except" : "or_except", {clauses(set)}));
   return joined(sentences);
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/common/quote.h"
 
 namespace goal_alignment::phrasing {
@@ -14,24 +15,33 @@ namespace {
 /// More digits than any predicate has arguments, and far from overflow.
 constexpr std::size_t kMaxDigits = 3;
 
-/// The number between the brace at `open` and the next one; `open` then is the closing brace.
-std::size_t readGap(const std::string& text, std::size_t& open) {
-  const std::size_t close = text.find('}', open);
-  const std::string inside =
-      close == std::string::npos ? text.substr(open) : text.substr(open + 1, close - open - 1);
-  const bool number =
-      close != std::string::npos && !inside.empty() && inside.size() <= kMaxDigits &&
-      std::all_of(inside.begin(), inside.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (!number) {
-    const std::string found = close == std::string::npos ? inside : "{" + inside + "}";
-    throw std::invalid_argument("expected a gap such as {0} (or {{ for a brace), found " +
-                                inQuotes(found));
-  }
-  open = close;
-  return static_cast<std::size_t>(std::stoul(inside));
+bool isNumber(const std::string& text) {
+  return !text.empty() && text.size() <= kMaxDigits &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 }  // namespace
+
+const std::string& Filling::in(const std::string& form) const {
+  const auto found = forms.find(form);
+  return found == forms.end() ? text : found->second;
+}
+
+/// Between the brace at `open` and the next one; `open` then is the closing brace.
+void TemplateText::readGap(const std::string& text, std::size_t& open, Piece& piece) {
+  const std::size_t close = text.find('}', open);
+  const bool closed = close != std::string::npos;
+  const std::string inside = closed ? text.substr(open + 1, close - open - 1) : text.substr(open);
+  const std::size_t colon = inside.find(':');
+  const std::string number = inside.substr(0, colon);
+  if (!closed || !isNumber(number) || colon + 1 == inside.size()) {
+    throw std::invalid_argument("expected a gap such as {0} (or {{ for a brace), found " +
+                                inQuotes(closed ? "{" + inside + "}" : inside));
+  }
+  open = close;
+  piece.index = static_cast<std::size_t>(std::stoul(number));
+  if (colon != std::string::npos) piece.form = toLower(inside.substr(colon + 1));
+}
 
 TemplateText TemplateText::parse(const std::string& text) {
   TemplateText result;
@@ -43,7 +53,7 @@ TemplateText TemplateText::parse(const std::string& text) {
       piece.text += c;
       ++i;
     } else if (c == '{') {
-      piece.index = readGap(text, i);
+      readGap(text, i, piece);
       result.pieces_.push_back(std::exchange(piece, {}));
     } else if (c == '}') {
       throw std::invalid_argument("expected '{' before '}' (or }} for a brace), found " +
@@ -56,14 +66,29 @@ TemplateText TemplateText::parse(const std::string& text) {
   return result;
 }
 
-std::optional<std::string> TemplateText::fill(const std::vector<std::string>& arguments) const {
+std::optional<std::string> TemplateText::fillIn(const std::vector<Filling>& arguments) const {
   std::string result;
   for (const Piece& piece : pieces_) {
     result += piece.text;
     if (!piece.index) continue;
     if (*piece.index >= arguments.size()) return std::nullopt;
-    result += arguments[*piece.index];
+    result += arguments[*piece.index].in(piece.form);
   }
+  return result;
+}
+
+std::optional<std::string> TemplateText::fill(const std::vector<std::string>& arguments) const {
+  std::vector<Filling> fillings;
+  fillings.reserve(arguments.size());
+  for (const std::string& argument : arguments)
+    fillings.push_back({argument, {}});
+  return fillIn(fillings);
+}
+
+std::set<std::size_t> TemplateText::gaps() const {
+  std::set<std::size_t> result;
+  for (const Piece& piece : pieces_)
+    if (piece.index) result.insert(*piece.index);
   return result;
 }
 

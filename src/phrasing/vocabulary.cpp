@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/phrasing/folding.h"
 
 namespace goal_alignment::phrasing {
 
@@ -31,7 +31,7 @@ std::string withPlainApostrophes(std::string text) {
 std::vector<std::string> wordsOf(const std::string& text) {
   std::vector<std::string> words;
   std::string word;
-  for (const char c : toLower(withPlainApostrophes(text)) + " ") {
+  for (const char c : folded(withPlainApostrophes(text)) + " ") {
     if (isInWord(c)) {
       word += c;
       continue;

@@ -20,18 +20,18 @@ using session::AnswerKind;
 using session::CandidateState;
 using session::CandidateView;
 
-const char* wordFor(AnswerKind kind) {
+const char* nameOf(AnswerKind kind) {
   switch (kind) {
     case AnswerKind::No:
-      return "no";
+      return "answer_no";
     case AnswerKind::Yes:
-      return "yes";
+      return "answer_yes";
     case AnswerKind::Unsure:
-      return "don't know";
+      return "answer_unsure";
     case AnswerKind::Decline:
-      return "no more questions, please";
+      break;
   }
-  return "";
+  return "answer_decline";
 }
 
 // The answer that stands, where somebody gave one.
@@ -106,7 +106,7 @@ void AlignmentRunner::takeUpJournal() {
     known.push_back(answer.fluent);
   }
   if (known.empty()) return;
-  announcer_.tell(fmt::format("answered before this dialogue was broken off: {}", spoken(known)));
+  announcer_.tell(kept_.phrases.say("event_answered_before", {spoken(known)}));
 }
 
 void AlignmentRunner::applyAnswers() {
@@ -135,9 +135,12 @@ void AlignmentRunner::apply(const AcceptedAnswer& answer) {
     kept_.times[fluent] = answer.at;
   kept_.silences = 0;
   writeJournal();
-  announcer_.tell(fmt::format(
-      "answer{}: {}{}", answer.answered_by.empty() ? "" : " from " + answer.answered_by,
-      wordFor(answer.kind), answer.fluents.empty() ? "" : ": " + spoken(answer.fluents)));
+  const phrasing::Phrases& phrases = kept_.phrases;
+  std::string said = phrases.say(nameOf(answer.kind));
+  if (!answer.fluents.empty()) said += ": " + spoken(answer.fluents);
+  announcer_.tell(answer.answered_by.empty()
+                      ? phrases.say("event_answer", {said})
+                      : phrases.say("event_answer_from", {said, answer.answered_by}));
 }
 
 // To the session, which tells a first answer from one that revises another.
@@ -213,19 +216,19 @@ QuestionBridge::Wake AlignmentRunner::awaitNews() {
 void AlignmentRunner::treatSilence() {
   const auto tries = static_cast<unsigned>(kept_.options.ask_retries) + 1;
   if (++kept_.silences < tries) {
-    announcer_.tell(fmt::format("no answer to question {}; it is put again", open_.question_id));
+    announcer_.tell(kept_.phrases.say("event_again", {std::to_string(open_.question_id)}));
     hideQuestion();
     return;
   }
-  const double timeout = kept_.options.ask_timeout;
-  std::string reason = tries == 1
-                           ? fmt::format("nobody answered within {} s", timeout)
-                           : fmt::format("nobody answered {} times within {} s", tries, timeout);
+  const std::string timeout = fmt::format("{}", kept_.options.ask_timeout);
+  std::string reason =
+      tries == 1 ? kept_.phrases.say("nobody_answered", {timeout})
+                 : kept_.phrases.say("nobody_answered_times", {std::to_string(tries), timeout});
   const std::string refusals = bridge_.refusals();
   if (!refusals.empty()) {
-    reason += "; answers came, all refused: " + refusals;
-    announcer_.warn(
-        fmt::format("question {}: answers came, all refused: {}", open_.question_id, refusals));
+    const std::string refused = kept_.phrases.say("answers_refused", {refusals});
+    reason += "; " + refused;
+    announcer_.warn(fmt::format("question {}: {}", open_.question_id, refused));
   }
   kept_.session->giveUpWaiting(reason);
 }
@@ -262,8 +265,9 @@ void AlignmentRunner::beginPatience() {
 
 void AlignmentRunner::putQuestion(GoalTicket& ticket, const session::Snapshot& now) {
   open_ = announcer_.publish(open_);
-  announcer_.tell(fmt::format("question {}: {}{}{}", open_.question_id, open_.text,
-                              open_.why.empty() ? "" : " ", open_.why));
+  announcer_.tell(kept_.phrases.say("event_question",
+                                    {std::to_string(open_.question_id),
+                                     open_.text + (open_.why.empty() ? "" : " ") + open_.why}));
   report(ticket, now, open_.text);
   ask_human_.ask(open_);
 }

@@ -82,7 +82,7 @@ void AlignmentRunner::applyFacts(const whereabouts::Observation& seen) {
   std::sort(before.begin(), before.end());
   if (now == before) return;
   kept_.session->setRobotState(now);
-  announcer_.tell("the robot's state has changed: I think again");
+  announcer_.tell(kept_.phrases.say("event_new_facts"));
 }
 
 // Nobody plans before the facts are known, and no plan counts while they are not.

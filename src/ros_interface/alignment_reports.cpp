@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the runner says about the session under way.
-#include <fmt/format.h>
-
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -13,9 +11,9 @@ namespace goal_alignment::ros_interface {
 
 void AlignmentRunner::report(GoalTicket& ticket, const session::Snapshot& now,
                              const std::string& message) {
-  const std::string plan_break = kept_.session->humanPlanInRobotModel();
+  const std::string plan_break = planBreak();
   if (plan_break != kept_.told_break && !plan_break.empty()) {
-    announcer_.tell("the human's plan in the robot's model: " + plan_break);
+    announcer_.tell(kept_.phrases.say("event_break", {plan_break}));
   }
   kept_.told_break = plan_break;
 
@@ -50,7 +48,7 @@ void AlignmentRunner::showToExplainer(const session::Snapshot& now) {
     explained.plan = outcome.plan.steps;
   }
   explained.human_plan = kept_.human_plan;
-  explained.human_plan_break = kept_.session->humanPlanInRobotModel();
+  explained.human_plan_break = planBreak();
   explained.phrases = kept_.phrases;
   explainer_.show(std::move(explained));
 }
@@ -62,7 +60,7 @@ void AlignmentRunner::answerSupposition() {
 
 std::optional<Explain::Response> AlignmentRunner::suppose(const std::vector<Literal>& fluents) {
   const session::Snapshot now = kept_.session->snapshot();
-  const Supposition supposed = supposition(fluents, now);
+  const Supposition supposed = supposition(fluents, now, kept_.phrases);
   if (!supposed.refusal.empty()) {
     Explain::Response response;
     response.text = supposed.refusal;
@@ -104,23 +102,33 @@ AlignResult AlignmentRunner::figures(const session::Snapshot& now) const {
 }
 
 std::string AlignmentRunner::spoken(const std::vector<Literal>& fluents) const {
-  std::string text;
-  for (const Literal& fluent : fluents) {
-    text += (text.empty() ? "" : "; ") + kept_.phrases.clause(fluent);
-  }
-  return text;
+  return kept_.phrases.clauses(fluents);
+}
+
+std::string AlignmentRunner::planBreak() const {
+  const auto& violation = kept_.session->humanPlanViolation();
+  if (!violation) return "";
+  return kept_.phrases.failure(*violation, kept_.human_plan.at(violation->step));
 }
 
 std::string AlignmentRunner::storyOf(const AlignGoal& goal) const {
-  if (!goal.continue_session.empty()) {
-    return fmt::format("session {} goes on", goal.continue_session);
+  const phrasing::Phrases& phrases = kept_.phrases;
+  if (!goal.continue_session.empty()) return phrases.say("event_goes_on", {goal.continue_session});
+  const std::string wish = goal.task.goal.empty() ? phrases.say("event_goal_of_files")
+                                                  : spoken(toLiterals(goal.task.goal, "task.goal"));
+  std::vector<std::string> of = {
+      goal.task.plan.empty() ? phrases.say("event_without_plan", {wish})
+                             : phrases.counted("event_with_plan", goal.task.plan.size(), {wish})};
+  std::string name = "event_task";
+  if (!goal.task.task_id.empty()) {
+    name += "_named";
+    of.push_back(goal.task.task_id);
   }
-  std::string text = "task";
-  if (!goal.task.task_id.empty()) text += " " + goal.task.task_id;
-  if (!goal.task.person.empty()) text += " from " + goal.task.person;
-  text += goal.task.goal.empty() ? ": the goal of the problem files"
-                                 : ": " + spoken(toLiterals(goal.task.goal, "task.goal"));
-  return text + fmt::format(", with a plan of {} steps", goal.task.plan.size());
+  if (!goal.task.person.empty()) {
+    name += "_from";
+    of.push_back(goal.task.person);
+  }
+  return phrases.say(name, of);
 }
 
 }  // namespace goal_alignment::ros_interface

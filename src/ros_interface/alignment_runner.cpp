@@ -153,6 +153,7 @@ void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
   kept.identity = identityOf(goal);
   try {
     kept.phrases = phrasesOf(options.phrases);
+    if (!kept.phrases.warning().empty()) ROS_WARN("%s", kept.phrases.warning().c_str());
   } catch (const std::exception& error) {
     // Wording is no reason to refuse a task.
     announcer_.warn(fmt::format("no phrases: {}", error.what()));
@@ -305,7 +306,7 @@ AlignResult AlignmentRunner::announceOutcome(const session::Outcome& outcome) {
   AlignResult result = figures(last);
   const AlignResult said = toMessage(outcome, kept_.phrases);
   result.outcome = said.outcome;
-  result.message = spokenOutcome(outcome, last, kept_.phrases);
+  result.message = spokenOutcome(outcome, last, kept_.phrases, kept_.human_plan);
   result.conflict = said.conflict;
   result.conflict_proven = said.conflict_proven;
   result.conflict_minimal = said.conflict_minimal;
@@ -329,16 +330,17 @@ AlignResult AlignmentRunner::announceOutcome(const session::Outcome& outcome) {
   state.alternatives = result.alternatives;
   announcer_.publish(state);
   bridge_.markShown();
-  announcer_.tell(fmt::format("outcome {} ({}): {}", result.outcome,
-                              session::outcomeWord(outcome.code), result.message));
+  announcer_.tell(kept_.phrases.say(
+      "event_outcome",
+      {std::to_string(result.outcome), session::outcomeWord(outcome.code), result.message}));
   return result;
 }
 
 void AlignmentRunner::refuse(GoalTicket& ticket, const session::Outcome& outcome) {
-  announcer_.tell(
-      fmt::format("task {}refused ({}): {}",
-                  ticket.goal().task.task_id.empty() ? "" : ticket.goal().task.task_id + " ",
-                  static_cast<int>(outcome.code), outcome.message));
+  std::vector<std::string> why = {std::to_string(static_cast<int>(outcome.code)), outcome.message};
+  const std::string& task = ticket.goal().task.task_id;
+  if (!task.empty()) why.push_back(task);
+  announcer_.tell(kept_.phrases.say(task.empty() ? "event_refused" : "event_refused_named", why));
   if (ticket.claim()) endWith(ticket, outcome);
 }
 

@@ -10,6 +10,7 @@
 
 #include "descriptor.h"
 #include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/quote.h"
 #include "goal_alignment/ros_interface/node_constants.h"
 #include "goal_alignment/ros_interface/outcome_watch.h"
 
@@ -17,17 +18,19 @@ namespace goal_alignment::ros_interface {
 namespace {
 
 constexpr std::chrono::milliseconds kShutdownCheck{50};
+constexpr std::size_t kLongestEcho = 40;  // bytes
 
-std::string wordingOf(const Question& question) {
+std::string wordingOf(const Question& question, const phrasing::Phrases& phrases) {
   std::string text =
-      fmt::format("Question {}{} (at most {} left{}): {}\n", question.asked + 1,
-                  question.person.empty() ? "" : " for " + question.person, question.max_remaining,
-                  question.bound_is_provisional ? ", as far as is known" : "", question.text);
+      phrasing::questionLine({question.asked + 1, question.person, question.max_remaining,
+                              question.bound_is_provisional != 0, question.text},
+                             phrases) +
+      "\n";
   for (std::size_t i = 0; question.fluents.size() > 1 && i < question.fluents.size(); ++i) {
     text += fmt::format("  {}: {}\n", i + 1, question.fluents[i].text);
   }
-  if (!question.why.empty()) text += fmt::format("  Why I ask: {}\n", question.why);
-  return text + fmt::format("  {}\n> ", phrasing::replyKeys(question.fluents.size()));
+  if (!question.why.empty()) text += "  " + phrases.say("ask_why", {question.why}) + "\n";
+  return text + "  " + phrasing::replyKeys(question.fluents.size(), phrases.frames()) + "\n> ";
 }
 
 std::vector<std::string> clausesOf(const Question& question) {
@@ -37,16 +40,19 @@ std::vector<std::string> clausesOf(const Question& question) {
   return clauses;
 }
 
-constexpr const char* kKeysOfOne = "y = yes, n = no";
-constexpr const char* kKeysOfSeveral = "the number of what to leave out, n = none of these";
+std::string keysOf(const std::vector<std::string>& alternatives, const phrasing::Phrases& phrases) {
+  return phrases.say(alternatives.size() == 1 ? "ask_go_on_keys" : "ask_go_on_several_keys");
+}
 
-std::string wordingOf(const std::vector<std::string>& alternatives) {
+std::string wordingOf(const std::vector<std::string>& alternatives,
+                      const phrasing::Phrases& phrases) {
+  const std::string keys = "  " + keysOf(alternatives, phrases) + "\n> ";
   if (alternatives.size() == 1)
-    return fmt::format("Go on without this: {}?\n  {}\n> ", alternatives.front(), kKeysOfOne);
-  std::string text = "Go on without one of these?\n";
+    return phrases.say("ask_go_on", {alternatives.front()}) + "\n" + keys;
+  std::string text = phrases.say("ask_go_on_several") + "\n";
   for (std::size_t i = 0; i < alternatives.size(); ++i)
     text += fmt::format("  {}: {}\n", i + 1, alternatives[i]);
-  return text + fmt::format("  {}\n> ", kKeysOfSeveral);
+  return text + keys;
 }
 
 // Without a reply the question is left as it is.
@@ -78,9 +84,10 @@ ConsoleDialogue::WakePipe::~WakePipe() {
 }
 
 ConsoleDialogue::ConsoleDialogue(ros::NodeHandle node, int input, PromptedTerminal& terminal,
-                                 phrasing::Vocabulary vocabulary)
+                                 phrasing::Vocabulary vocabulary, phrasing::Phrases phrases)
     : terminal_(terminal),
       vocabulary_(std::move(vocabulary)),
+      phrases_(std::move(phrases)),
       lines_(input, wake_pipe_.ends[0]),
       watch_(node, [this] { wake(); }),
       service_(node.advertiseService(kAskHumanService, &ConsoleDialogue::ask, this)) {}
@@ -97,12 +104,12 @@ bool ConsoleDialogue::ask(AskHuman::Request& request, AskHuman::Response& respon
   std::optional<phrasing::Reply> reply;
   const std::vector<std::string> clauses = clausesOf(question);
   Prompt prompt;
-  prompt.text = wordingOf(question);
-  prompt.keys = phrasing::replyKeys(clauses.size());
+  prompt.text = wordingOf(question, phrases_);
+  prompt.keys = phrasing::replyKeys(clauses.size(), phrases_.frames());
   prompt.why = question.why.empty() ? vocabulary_.noReason() : question.why;
   prompt.is_gone = [&] { return watch_.isGone(question); };
   prompt.take = [&](const std::string& line) {
-    reply = phrasing::parseReply(line, clauses.size());
+    reply = phrasing::parseReply(line, clauses.size(), phrases_.frames());
     if (reply) return Prompt::Taken::Answer;
     const auto heard = vocabulary_.understand(line, clauses);
     if (!heard) return Prompt::Taken::Nothing;
@@ -123,13 +130,14 @@ std::optional<std::size_t> ConsoleDialogue::choose(const std::vector<Alternative
   for (const AlternativeGoal& alternative : alternatives)
     offered.push_back(leftOutBy(alternative));
   Prompt prompt;
-  prompt.text = wordingOf(offered);
-  prompt.keys = offered.size() == 1 ? kKeysOfOne : kKeysOfSeveral;
+  prompt.text = wordingOf(offered, phrases_);
+  prompt.keys = keysOf(offered, phrases_);
   prompt.is_gone = is_gone;
   prompt.take = [&](const std::string& line) {
-    const std::string word = toLower(trimmed(line));
-    if (word == "n") return Prompt::Taken::Answer;
-    if (offered.size() == 1 && (word == "y" || word == "1")) {
+    using Kind = phrasing::Reply::Kind;
+    const auto typed = phrasing::parseReply(line, offered.size(), phrases_.frames());
+    if (typed && typed->kind == Kind::No) return Prompt::Taken::Answer;
+    if (typed && typed->kind == Kind::Yes && offered.size() == 1) {
       chosen = 0;
       return Prompt::Taken::Answer;
     }
@@ -186,7 +194,7 @@ void ConsoleDialogue::showNewPrompt() {
 void ConsoleDialogue::leavePromptIfGone() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (shown_ == 0 || !prompt_ || !prompt_->is_gone()) return;
-  terminal_.close("\nThis question is no longer open.\n");
+  terminal_.close("\n" + phrases_.say("ask_gone") + "\n");
   finish();
   replaced_another_ = true;
 }
@@ -195,13 +203,12 @@ void ConsoleDialogue::treatLine(const std::string& line) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::string words(trimmed(line));
   if (shown_ == 0) {
-    if (!words.empty()) terminal_.hint("There is no question open.\n");
+    if (!words.empty()) terminal_.hint(phrases_.say("ask_nothing") + "\n");
     return;
   }
   if (!prompt_) return finish();  // the node ends
   if (words.empty()) return terminal_.showAgain();
-  if (cameTooEarly())
-    return terminal_.hint("This question has just replaced the one before; please read it.\n> ");
+  if (cameTooEarly()) return terminal_.hint(phrases_.say("ask_replaced") + "\n> ");
   switch (prompt_->take(line)) {
     case Prompt::Taken::Answer:
       terminal_.close();
@@ -214,7 +221,7 @@ void ConsoleDialogue::treatLine(const std::string& line) {
       return terminal_.hint(fmt::format("{}\n> ", prompt_->why));
     case Prompt::Taken::Nothing:
       return terminal_.hint(
-          fmt::format("I did not understand '{:.40}'. {}\n> ", words, prompt_->keys));
+          phrases_.say("ask_again", {shortened(words, kLongestEcho), prompt_->keys}) + "\n> ");
   }
 }
 
@@ -233,9 +240,7 @@ void ConsoleDialogue::finish() {
 
 void ConsoleDialogue::sayGoodbye() {
   if (lines_.atEnd()) {
-    terminal_.close(
-        "\nEnd of input: no more questions are answered here. Another dialogue node or the "
-        "service ~answer may answer them.\n");
+    terminal_.close("\n" + phrases_.say("ask_end_of_input") + "\n");
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -17,8 +17,9 @@ Explain::Response unknown(const std::string& text) {
   return response;
 }
 
+// Nor, therefore, a language.
 Explain::Response noTask() {
-  return unknown("No task was given yet.");
+  return unknown(phrasing::Phrases().say("explain_no_task"));
 }
 
 }  // namespace
@@ -77,17 +78,15 @@ Explain::Response Explainer::await(Speak speak, const std::vector<Literal>& flue
 
 Explain::Response Explainer::suppose(const std::vector<Literal>& fluents,
                                      Clock::time_point deadline) {
-  if (fluents.empty()) {
-    return unknown(
-        "name what is to be supposed: \"(on a b)\" as wanted, \"(not (on a b))\" as not");
-  }
   const std::shared_ptr<const Explained> explained = shown();
   if (!explained) return noTask();
+  const phrasing::Phrases& phrases = explained->phrases;
+  if (fluents.empty()) return unknown(phrases.say("suppose_needs_names"));
   // The solver may be busy; what makes no sense need not wait for it.
-  const Supposition supposed = supposition(fluents, explained->snapshot);
+  const Supposition supposed = supposition(fluents, explained->snapshot, explained->phrases);
   if (!explained->snapshot.candidates.empty() && !supposed.refusal.empty())
     return unknown(supposed.refusal);
-  return suppositions_.ask(fluents, deadline).value_or(notKnownYet());
+  return suppositions_.ask(fluents, deadline).value_or(unknown(phrases.say("explain_unknown")));
 }
 
 }  // namespace goal_alignment::ros_interface

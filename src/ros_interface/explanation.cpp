@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/ros_interface/explanation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "speaker.h"
@@ -20,19 +18,19 @@ class WhySpeaker : public Speaker {
 
   void speakOf(const Literal& fluent) {
     if (contains(snapshot().specified, fluent)) {
-      say(fmt::format("You asked that {}.", clause(fluent)));
+      say("explain_asked_for", {that(fluent)});
     } else if (const CandidateView* candidate = snapshot().candidateOf(fluent)) {
       speakOf(*candidate);
     } else if (!modelsAreRead()) {
       admitIgnorance();
     } else {
-      say(fmt::format("Nothing depends on whether {}: you don't expect it.", clause(fluent)));
+      say("explain_irrelevant", {that(fluent)});
     }
   }
 
   // As it was told with the question.
   void speakOfOpenQuestion() {
-    say(explained_.open_why);
+    add(explained_.open_why);
     for (const ConflictView& conflict : snapshot().conflicts) {
       const auto rests = [&](const std::vector<Literal>& reason) { return conflict.isOf(reason); };
       const auto& reasons = explained_.open_conflicts;
@@ -47,7 +45,7 @@ class WhySpeaker : public Speaker {
     if (conflict != nullptr) {
       restOn(*conflict);
     } else if (hasEnded()) {
-      say("No question is open.");
+      say("explain_no_question");
     } else {
       admitIgnorance();
     }
@@ -66,8 +64,7 @@ class WhySpeaker : public Speaker {
     }
     if (any || answered) return;
     if (candidate.state == CandidateState::Settled || snapshot().conflicts_complete) {
-      say(fmt::format("Whether it matters that {} can't change what I do.",
-                      clause(candidate.fluent)));
+      say("explain_no_influence", {that(candidate.fluent)});
     } else {
       admitIgnorance();
     }
@@ -80,16 +77,13 @@ class WhyNotSpeaker : public Speaker {
 
   void speakOf(const Literal& fluent) {
     if (contains(snapshot().specified, fluent)) {
-      say(fmt::format("I need not ask whether it matters that {}: you asked for it.",
-                      clause(fluent)));
+      say("why_not_asked_for", {that(fluent)});
     } else if (const CandidateView* candidate = snapshot().candidateOf(fluent)) {
       speakOf(*candidate);
     } else if (!modelsAreRead()) {
       admitIgnorance();
     } else {
-      say(fmt::format(
-          "I don't ask whether it matters that {}: you don't expect it, so nothing depends on it.",
-          clause(fluent)));
+      say("why_not_irrelevant", {that(fluent)});
     }
   }
 
@@ -99,20 +93,17 @@ class WhyNotSpeaker : public Speaker {
     if (!modelsAreRead()) {
       admitIgnorance();
     } else if (plan.empty()) {
-      say("You gave me no plan to follow.");
+      say("own_plan_missing");
     } else if (!explained_.human_plan_break.empty()) {
-      say("Your plan does not work for me: " + explained_.human_plan_break + ".");
+      say("own_plan_fails", {explained_.human_plan_break});
     } else if (!snapshot().robot_known) {
       admitIgnorance();
     } else if (!planIsFound()) {
-      say("Each step of your plan works for me. Whether I follow it depends on what else matters.");
+      say("own_plan_works");
     } else if (explained_.plan == plan) {
-      say("I do follow your plan.");
+      say("own_plan_followed");
     } else {
-      say(
-          fmt::format("Each step of your plan works for me. I took another plan, of {} steps, for "
-                      "what it keeps or costs.",
-                      explained_.plan.size()));
+      add(phrases().counted("own_plan_left", explained_.plan.size()));
     }
   }
 
@@ -121,7 +112,7 @@ class WhyNotSpeaker : public Speaker {
 
   void speakOf(const CandidateView& candidate) {
     if (candidate.state == CandidateState::Asked) {
-      say(fmt::format("I do ask whether it matters that {}.", clause(candidate.fluent)));
+      say("why_not_does_ask", {that(candidate.fluent)});
       restOnThoseOf(candidate, true);
     } else if (speakOfAnswer(candidate)) {
       restOnThoseOf(candidate, candidate.state != CandidateState::NotWanted);
@@ -129,27 +120,21 @@ class WhyNotSpeaker : public Speaker {
       speakOfUnasked(candidate);
     }
     const bool kept = planIsFound() && candidate.state != CandidateState::NotWanted;
-    if (kept) say("My plan keeps it so.");
+    if (kept) say("why_not_kept");
   }
 
   void speakOfUnasked(const CandidateView& candidate) {
-    const std::string what = clause(candidate.fluent);
+    const std::vector<std::string> what = {that(candidate.fluent)};
     if (!candidate.conflicts.empty()) {
-      say(hasEnded()
-              ? fmt::format("The dialogue ended before I asked whether it matters that {}.", what)
-              : fmt::format("I did not ask yet whether it matters that {}.", what));
+      say(hasEnded() ? "why_not_ended" : "why_not_yet", what);
       restOnThoseOf(candidate, true);
     } else if (candidate.state != CandidateState::Settled && !snapshot().conflicts_complete) {
       admitIgnorance();
     } else if (isInConflict(candidate)) {
-      say(
-          fmt::format("I need not ask whether it matters that {}: what stood against it does not "
-                      "matter to you.",
-                      what));
+      say("why_not_cleared", what);
       restOnThoseOf(candidate, false);
     } else {
-      say(fmt::format(
-          "I need not ask whether it matters that {}: the answer can't change what I do.", what));
+      say("why_not_settled", what);
     }
   }
 

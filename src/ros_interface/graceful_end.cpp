@@ -10,6 +10,8 @@
 #include <atomic>
 #include <csignal>
 
+#include "goal_alignment/ros_interface/utf8_log.h"
+
 namespace goal_alignment::ros_interface {
 namespace {
 
@@ -34,6 +36,7 @@ void onShutdownRequest(XmlRpc::XmlRpcValue& request, XmlRpc::XmlRpcValue& respon
 }  // namespace
 
 void initWithLastWords(int& argc, char** argv, const char* default_name) {
+  logInUtf8();
   ros::init(argc, argv, default_name, ros::init_options::NoSigintHandler);
   // roscpp does not take a name that is bound already.
   ros::XMLRPCManager::instance()->bind("shutdown", onShutdownRequest);

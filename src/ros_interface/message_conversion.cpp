@@ -162,7 +162,7 @@ Conflict toMessage(const session::ConflictView& view, const phrasing::Phrases& p
 Question toMessage(const session::QuestionView& view, const phrasing::Phrases& phrases) {
   Question message;
   message.fluents = toMessage(view.fluents, phrases);
-  message.text = phrases.question(view.fluents);
+  message.text = phrases.question(view.fluents, view.at_end);
   message.why = phrases.why(view.reasons, view.if_yes, view.if_no, view.bound_is_provisional);
   const auto reason =
       std::find_if(view.reasons.begin(), view.reasons.end(),

@@ -15,9 +15,14 @@ using session::ConflictView;
 using session::OutcomeCode;
 using session::Snapshot;
 
-bool isProven(const Snapshot& snapshot, const std::vector<Literal>& fluents) {
-  const ConflictView* conflict = snapshot.conflictOf(fluents);
-  return conflict != nullptr && conflict->proven;
+questions::Reason reasonOf(const session::Outcome& outcome, const Snapshot& snapshot) {
+  questions::Reason reason;
+  reason.conflict = outcome.conflict;
+  const ConflictView* conflict = snapshot.conflictOf(outcome.conflict);
+  if (conflict == nullptr) return reason;
+  reason.proven = conflict->proven;
+  reason.alone = conflict->alone;
+  return reason;
 }
 
 // Those of the conflict that nobody is sure of.
@@ -38,32 +43,66 @@ std::vector<std::vector<Literal>> givenUp(const session::Outcome& outcome) {
   return sets;
 }
 
-std::string withoutAlternatives(const session::Outcome& outcome, const Snapshot& last,
-                                const phrasing::Phrases& phrases) {
-  const std::vector<Literal>& conflict = outcome.conflict;
+std::string limitText(const session::Outcome& outcome, phrasing::Limit limit,
+                      const phrasing::Phrases& phrases) {
+  return outcome.conflict.empty() ? phrasing::leftOpen(phrases, outcome.message, limit)
+                                  : phrasing::leftOpen(phrases, outcome.conflict, limit);
+}
+
+std::string unsureText(const session::Outcome& outcome, const Snapshot& last,
+                       const phrasing::Phrases& phrases) {
+  if (outcome.conflict.empty()) return phrases.say("outcome_unsure");
+  return phrasing::unsureBlocks(phrases, reasonOf(outcome, last), deciding(last, outcome.conflict),
+                                givenUp(outcome));
+}
+
+// Of what is wrong with the person's plan; empty: there are no words for it.
+std::string planFault(const session::Outcome& outcome, const phrasing::Phrases& phrases,
+                      const std::vector<GroundName>& human_plan) {
+  const auto& violation = outcome.violation;
+  if (violation && violation->step < human_plan.size()) {
+    return phrases.say("plan_wrong", {phrases.failure(*violation, human_plan[violation->step])});
+  }
+  if (outcome.missing.empty()) return "";
+  return phrasing::planMisses(phrases, outcome.missing, !human_plan.empty());
+}
+
+// What there could be instead is not part of it, but with EXPECTATION_UNACHIEVABLE and UNSURE_BLOCKS.
+std::string ending(const session::Outcome& outcome, const Snapshot& last,
+                   const phrasing::Phrases& phrases, const std::vector<GroundName>& human_plan) {
+  std::string text;
   switch (outcome.code) {
     case OutcomeCode::Success:
-      if (outcome.plan.assumed_not_wanted.empty()) break;
-      return phrasing::planWithout(phrases, outcome.plan.assumed_not_wanted);
+      return phrasing::planFound(phrases, outcome.plan.assumed_not_wanted);
+    case OutcomeCode::Canceled:
+      return phrases.say("outcome_canceled");
     case OutcomeCode::GoalUnsolvable:
-      if (!last.condition.empty()) break;  // for which there are no words
-      return phrasing::goalUnsolvable(phrases, last.specified);
+      // There are no words for a condition.
+      return phrasing::goalUnsolvable(
+          phrases, last.condition.empty() ? last.specified : std::vector<Literal>{});
     case OutcomeCode::ExpectationUnachievable:
-      if (conflict.empty()) break;
-      return phrasing::expectationUnachievable(phrases, conflict, givenUp(outcome));
+      if (outcome.conflict.empty()) break;
+      return phrasing::expectationUnachievable(phrases, reasonOf(outcome, last), givenUp(outcome));
     case OutcomeCode::UnsureBlocks:
-      if (conflict.empty()) break;
-      return phrasing::unsureBlocks(phrases, conflict, isProven(last, conflict),
-                                    deciding(last, conflict));
+      return unsureText(outcome, last, phrases);
     case OutcomeCode::TimeLimit:
+      return limitText(outcome, phrasing::Limit::Time, phrases);
     case OutcomeCode::MemoryLimit:
+      return limitText(outcome, phrasing::Limit::Memory, phrases);
     case OutcomeCode::BudgetLimit:
-      if (conflict.empty()) break;
-      return phrasing::leftOpen(phrases, conflict);
+      return limitText(outcome, phrasing::Limit::Budget, phrases);
+    case OutcomeCode::Declined:
+      return phrases.say("outcome_declined");
+    case OutcomeCode::QuestionLimit:
+      return phrases.say("outcome_question_limit");
+    case OutcomeCode::HumanPlanInvalid:
+    case OutcomeCode::GoalNotExpected:
+      text = planFault(outcome, phrases, human_plan);
+      break;
     default:
       break;
   }
-  return outcome.message;
+  return text.empty() ? outcome.message : text;
 }
 
 // With a full stop, so that another sentence can follow.
@@ -74,10 +113,12 @@ std::string sentence(const std::string& text) {
 }  // namespace
 
 std::string spokenOutcome(const session::Outcome& outcome, const Snapshot& last,
-                          const phrasing::Phrases& phrases) {
-  const std::string text = withoutAlternatives(outcome, last, phrases);
+                          const phrasing::Phrases& phrases,
+                          const std::vector<GroundName>& human_plan) {
+  const std::string text = ending(outcome, last, phrases, human_plan);
+  const bool is_said = outcome.code == OutcomeCode::ExpectationUnachievable ||
+                       (outcome.code == OutcomeCode::UnsureBlocks && !outcome.conflict.empty());
   std::vector<std::vector<Literal>> sets = givenUp(outcome);
-  const bool is_said = outcome.code == OutcomeCode::ExpectationUnachievable;
   if (sets.empty() || is_said) return text;
   sets.resize(std::min(sets.size(), phrasing::kSpokenAlternatives));
   return sentence(text) + " " + phrases.alternatives(sets);

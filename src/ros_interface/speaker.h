@@ -31,44 +31,42 @@ class Speaker {
            !snapshot().condition.empty();
   }
 
-  std::string clause(const Literal& fluent) const { return explained_.phrases.clause(fluent); }
+  const phrasing::Phrases& phrases() const { return explained_.phrases; }
+  std::string that(const Literal& fluent) const { return phrases().that(fluent); }
 
-  void say(const std::string& sentence) {
+  void add(const std::string& sentence) {
     response_.text += (response_.text.empty() ? "" : " ") + sentence;
+  }
+  /// What the phrases call so.
+  void say(const std::string& name, const std::vector<std::string>& arguments = {}) {
+    add(phrases().say(name, arguments));
   }
 
   void admitIgnorance() {
     response_.known = false;
-    say("Not known yet.");
+    say("explain_unknown");
   }
 
   /// Each conflict is told once.
   void restOn(const session::ConflictView& conflict) {
     if (!said_.insert(&conflict).second) return;
-    say(explained_.phrases.reason(conflict.fluents, conflict.proven));
+    add(phrases().reason(conflict.fluents, conflict.proven, conflict.alone));
     note(conflict);
   }
 
   void note(const session::ConflictView& conflict) {
-    response_.conflicts.push_back(toMessage(conflict, explained_.phrases));
+    response_.conflicts.push_back(toMessage(conflict, phrases()));
   }
 
   /// What was said of it, or is assumed; false: nothing.
   bool speakOfAnswer(const session::CandidateView& candidate) {
-    using State = session::CandidateState;
-    const std::string who = candidate.answered_by.empty() ? "" : " by " + candidate.answered_by;
-    const std::string what = clause(candidate.fluent);
-    if (candidate.assumed) {
-      say("Nobody is asked whether it matters that " + what + ": it is assumed " +
-          (candidate.state == State::NotWanted ? "not to." : "to."));
-    } else if (candidate.state == State::Wanted) {
-      say("It matters that " + what + ": answered yes" + who + ".");
-    } else if (candidate.state == State::NotWanted) {
-      say("It does not matter that " + what + ": answered no" + who + ".");
-    } else if (candidate.state == State::Unsure) {
-      say("Whether it matters that " + what + " was answered with \"don't know\"" + who + ".");
+    const std::string name = nameOfAnswer(candidate);
+    if (name.empty()) return false;
+    const bool by_whom = !candidate.assumed && !candidate.answered_by.empty();
+    if (by_whom) {
+      say(name + "_by", {that(candidate.fluent), candidate.answered_by});
     } else {
-      return false;
+      say(name, {that(candidate.fluent)});
     }
     return true;
   }
@@ -76,6 +74,22 @@ class Speaker {
   const Explained& explained_;
 
  private:
+  static std::string nameOfAnswer(const session::CandidateView& candidate) {
+    using State = session::CandidateState;
+    if (candidate.assumed)
+      return candidate.state == State::NotWanted ? "explain_assumed_no" : "explain_assumed_yes";
+    switch (candidate.state) {
+      case State::Wanted:
+        return "explain_yes";
+      case State::NotWanted:
+        return "explain_no";
+      case State::Unsure:
+        return "explain_unsure";
+      default:
+        return "";
+    }
+  }
+
   Explain::Response response_;
   std::set<const session::ConflictView*> said_;
 };

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/ros_interface/supposition.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -23,77 +21,76 @@ bool contains(const std::vector<Literal>& fluents, const Literal& fluent) {
 }
 
 // Why not; empty: it can be supposed.
-std::string suppose(const Literal& fluent, const Snapshot& snapshot, Supposition& supposed) {
+std::string suppose(const Literal& fluent, const Snapshot& snapshot,
+                    const phrasing::Phrases& phrases, Supposition& supposed) {
   const Literal opposite{fluent.atom, !fluent.negated};
   if (snapshot.candidateOf(fluent) != nullptr) {
     supposed.wanted.push_back(fluent);
   } else if (fluent.negated && snapshot.candidateOf(opposite) != nullptr) {
     supposed.not_wanted.push_back(opposite);
   } else if (contains(snapshot.specified, opposite)) {
-    return fmt::format("{} is part of the specified goal", opposite.text());
+    return phrases.say("suppose_asked_for", {phrases.clause(opposite)});
   } else if (!contains(snapshot.specified, fluent)) {
-    return shortened(fluent.text()) + " is outside the state that the person expects";
+    return phrases.say("suppose_unexpected", {shortened(phrases.clause(fluent))});
   }
   return {};
 }
 
-std::string counted(std::size_t count, const std::string& thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+std::string planOf(const std::vector<GroundName>& steps, const phrasing::Phrases& phrases) {
+  return steps.empty() ? phrases.say("then_done") : phrases.counted("then_plan", steps.size());
 }
 
-std::string planOf(const std::vector<GroundName>& steps) {
-  if (steps.empty()) return "all would be so already, without a step.";
-  return fmt::format("I'd have a plan, of {}.", counted(steps.size(), "step"));
+std::string questionsOf(const Consequence& consequence, const phrasing::Phrases& phrases) {
+  if (consequence.max_remaining == 0) return phrases.say("then_open");
+  // A bound that may still change is none.
+  if (consequence.bound_is_provisional) return phrases.say("then_some_questions");
+  return phrases.counted("then_questions", consequence.max_remaining);
 }
 
-Conflict conflictOf(const std::vector<Literal>& fluents, bool proven, const Snapshot& then,
-                    const phrasing::Phrases& phrases) {
-  if (const ConflictView* known = then.conflictOf(fluents)) return toMessage(*known, phrases);
-  return toMessage(ConflictView{fluents, proven, false, true}, phrases);
+std::string followsFrom(const Consequence& consequence, const phrasing::Phrases& phrases) {
+  switch (consequence.kind) {
+    case Consequence::Kind::Plan:
+      return planOf(consequence.plan, phrases);
+    case Consequence::Kind::NoPlan:
+      return phrases.say("then_impossible");
+    default:
+      return questionsOf(consequence, phrases);
+  }
+}
+
+ConflictView conflictOf(const std::vector<Literal>& fluents, bool proven, const Snapshot& then) {
+  const ConflictView* known = then.conflictOf(fluents);
+  return known != nullptr ? *known : ConflictView{fluents, proven, false, true, false};
 }
 
 }  // namespace
 
-Supposition supposition(const std::vector<Literal>& fluents, const Snapshot& snapshot) {
+Supposition supposition(const std::vector<Literal>& fluents, const Snapshot& snapshot,
+                        const phrasing::Phrases& phrases) {
   Supposition supposed;
   for (const Literal& fluent : fluents) {
-    supposed.refusal = suppose(fluent, snapshot, supposed);
+    supposed.refusal = suppose(fluent, snapshot, phrases, supposed);
     if (!supposed.refusal.empty()) return supposed;
   }
   for (const Literal& fluent : supposed.not_wanted) {
     if (!contains(supposed.wanted, fluent)) continue;
-    supposed.refusal = fluent.text() + " can't be both wanted and not wanted";
+    supposed.refusal = phrases.say("suppose_twice", {phrases.clause(fluent)});
   }
   return supposed;
 }
 
 Explain::Response explainConsequence(const Supposition& supposed, const Consequence& consequence,
                                      const Snapshot& then, const phrasing::Phrases& phrases) {
-  using Kind = Consequence::Kind;
   Explain::Response response;
   response.known = 1;
-  const bool anything = !supposed.wanted.empty() || !supposed.not_wanted.empty();
-  response.text = anything
-                      ? phrasing::supposition(phrases, supposed.wanted, supposed.not_wanted) + ": "
-                      : "As things stand: ";
-  bool proven = true;
-  if (!consequence.conflict.empty()) {
-    response.conflicts.push_back(
-        conflictOf(consequence.conflict, consequence.kind == Kind::NoPlan, then, phrases));
-    proven = response.conflicts.front().proven != 0;
-  }
-  const std::string reason = phrases.reason(consequence.conflict, proven);
-  if (consequence.kind == Kind::Plan) {
-    response.text += planOf(consequence.plan);
-  } else if (consequence.kind == Kind::NoPlan) {
-    response.text += "I could not do it." + (reason.empty() ? "" : " " + reason);
-  } else if (consequence.max_remaining == 0) {
-    response.text += "it would stay undecided." + (reason.empty() ? "" : " " + reason);
-  } else {
-    response.text += fmt::format("I'd have to ask at most {}.{}",
-                                 counted(consequence.max_remaining, "more question"),
-                                 reason.empty() ? "" : " " + reason);
-  }
+  response.text =
+      phrases.say("suppose", {phrasing::supposition(phrases, supposed.wanted, supposed.not_wanted),
+                              followsFrom(consequence, phrases)});
+  if (consequence.conflict.empty() || consequence.kind == Consequence::Kind::Plan) return response;
+  const ConflictView conflict =
+      conflictOf(consequence.conflict, consequence.kind == Consequence::Kind::NoPlan, then);
+  response.conflicts.push_back(toMessage(conflict, phrases));
+  response.text += " " + phrases.reason(consequence.conflict, conflict.proven, conflict.alone);
   return response;
 }
 

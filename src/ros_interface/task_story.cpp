@@ -16,16 +16,6 @@
 namespace goal_alignment::ros_interface {
 namespace {
 
-std::string joined(const std::vector<Fluent>& fluents, const phrasing::Phrases& phrases) {
-  std::string text;
-  for (const Fluent& fluent : fluents) {
-    const std::string clause =
-        fluent.text.empty() ? phrases.clause(toLiteral(fluent)) : fluent.text;
-    text += (text.empty() ? "" : "; ") + clause;
-  }
-  return text;
-}
-
 bool sameFluent(const Fluent& a, const Fluent& b) {
   return a.name == b.name && a.args == b.args && a.negated == b.negated;
 }
@@ -35,14 +25,15 @@ bool isIn(const std::vector<Fluent>& fluents, const Fluent& fluent) {
                      [&](const Fluent& other) { return sameFluent(other, fluent); });
 }
 
-const char* answerWord(std::uint8_t state) {
+// Null where there is none.
+const char* nameOfAnswer(std::uint8_t state) {
   switch (state) {
     case Candidate::WANTED:
-      return "yes";
+      return "answer_yes";
     case Candidate::NOT_WANTED:
-      return "no";
+      return "answer_no";
     case Candidate::UNSURE:
-      return "don't know";
+      return "answer_unsure";
     default:
       return nullptr;
   }
@@ -50,21 +41,49 @@ const char* answerWord(std::uint8_t state) {
 
 // By somebody, not assumed.
 bool isAnswered(const Candidate& candidate) {
-  return answerWord(candidate.state) != nullptr && candidate.answered_by != kAssumed;
+  return nameOfAnswer(candidate.state) != nullptr && candidate.answered_by != kAssumed;
+}
+
+// A sentence of its own.
+std::string ended(const std::string& text) {
+  return text.empty() || text.back() == '.' ? text : text + ".";
 }
 
 }  // namespace
 
 TaskStory::TaskStory(std::ostream& out, phrasing::Phrases phrases, bool tell_questions)
-    : out_(out), phrases_(std::move(phrases)), tell_questions_(tell_questions) {}
+    : out_(out),
+      phrases_(std::move(phrases)),
+      tell_questions_(tell_questions),
+      person_(phrases_.say("story_person")) {}
+
+// As they were worded where they come from.
+std::string TaskStory::joined(const std::vector<Fluent>& fluents) const {
+  std::string text;
+  for (const Fluent& fluent : fluents) {
+    const std::string clause =
+        fluent.text.empty() ? phrases_.clause(toLiteral(fluent)) : fluent.text;
+    text = text.empty() ? clause : phrases_.say("clauses_more", {text, clause});
+  }
+  return text;
+}
+
+void TaskStory::tell(const std::string& name, const std::vector<std::string>& arguments) {
+  out_ << phrases_.say(name, arguments) << '\n';
+}
+
+void TaskStory::tellBelow(const std::string& name, const std::vector<std::string>& arguments) {
+  out_ << "  ";
+  tell(name, arguments);
+}
 
 void TaskStory::begin(const HumanTask& task) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!task.person.empty()) person_ = task.person;
   had_plan_ = !task.plan.empty();
-  fmt::print(out_, "The task, from {}: {}.\n", person_,
-             task.goal.empty() ? "the goal of the problem files" : joined(task.goal, phrases_));
-  fmt::print(out_, "The plan that {} has in mind{}\n", person_, had_plan_ ? ":" : ": none.");
+  tell("story_task",
+       {person_, task.goal.empty() ? phrases_.say("event_goal_of_files") : joined(task.goal)});
+  tell(had_plan_ ? "story_plan" : "story_no_plan", {person_});
   for (std::size_t i = 0; i < task.plan.size(); ++i) {
     fmt::print(out_, "  {:2}. {}\n", i + 1, phrases_.action(toAction(task.plan[i])));
   }
@@ -136,21 +155,24 @@ void TaskStory::hear(const AlignResult& result) {
 
 void TaskStory::takeUp(const AlternativeGoal& alternative) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  fmt::print(out_, "\n{} settles for this: all but that {}.\n", person_,
-             joined(alternative.given_up, phrases_));
+  out_ << '\n';
+  tell("story_settles", {person_, joined(alternative.given_up)});
   out_ << std::flush;
   goOn();
 }
 
 void TaskStory::awaitChoice() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  out_ << "\nIt goes on when somebody chooses one of the alternatives.\n" << std::flush;
+  out_ << '\n';
+  tell("story_awaits_choice");
+  out_ << std::flush;
   goOn();
 }
 
 void TaskStory::leaveIt() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  fmt::print(out_, "\n{} leaves it at that.\n", person_);
+  out_ << '\n';
+  tell("story_leaves", {person_});
   out_ << std::flush;
 }
 
@@ -177,15 +199,16 @@ void TaskStory::tellDialogue() {
 void TaskStory::tellBreak() {
   if (told_break_) return;
   told_break_ = true;
-  if (!state_.human_plan_break.empty()) {
-    fmt::print(out_, "\nWhere this plan breaks for the robot: {}\n", state_.human_plan_break);
-  }
+  if (state_.human_plan_break.empty()) return;
+  out_ << '\n';
+  tell("story_break", {state_.human_plan_break});
 }
 
 void TaskStory::tellQuestion(const Question& question) {
   if (!tell_questions_) return;
-  fmt::print(out_, "\nThe robot asks: {}\n", question.text);
-  if (!question.why.empty()) fmt::print(out_, "  Its reason: {}\n", question.why);
+  out_ << '\n';
+  tell("story_asks", {question.text});
+  if (!question.why.empty()) tellBelow("story_reason", {question.why});
   out_ << std::flush;
 }
 
@@ -218,19 +241,23 @@ const Candidate* TaskStory::candidateOf(const Fluent& fluent) const {
 // Null where there is none.
 const char* TaskStory::answerTo(const Fluent& fluent) const {
   const Candidate* candidate = candidateOf(fluent);
-  return candidate == nullptr ? nullptr : answerWord(candidate->state);
+  return candidate == nullptr ? nullptr : nameOfAnswer(candidate->state);
 }
 
 void TaskStory::tellAnswer(const Question& question) {
   // Where a dialogue shows the questions, the next one may stand above this.
   const bool names = question.fluents.size() > 1 || !tell_questions_;
   for (const Fluent& fluent : question.fluents) {
-    const char* word = answerTo(fluent);
-    const std::string about = names ? fluent.text + ": " : "";
-    if (word != nullptr) {
-      fmt::print(out_, "  {} answers: {}{}.\n", person_, about, word);
+    const char* answer = answerTo(fluent);
+    if (answer != nullptr) {
+      const std::string word = phrases_.say(answer);
+      if (names) {
+        tellBelow("story_answers_of", {person_, joined({fluent}), word});
+      } else {
+        tellBelow("story_answers", {person_, word});
+      }
     } else if (!has_ended_) {
-      fmt::print(out_, "  {}no answer is needed any more.\n", about);
+      tellBelow(names ? "story_needless_of" : "story_needless", {joined({fluent})});
     }
   }
   out_ << std::flush;
@@ -241,39 +268,44 @@ void TaskStory::tellOtherAnswers() {
   for (const Candidate& candidate : state_.candidates) {
     if (!isAnswered(candidate) || isIn(asked_about_, candidate.fluent)) continue;
     asked_about_.push_back(candidate.fluent);
-    fmt::print(out_, "  {} has also answered: {}: {}.\n", person_,
-               joined({candidate.fluent}, phrases_), answerWord(candidate.state));
+    tellBelow("story_also_answered", {person_, joined({candidate.fluent}),
+                                      phrases_.say(nameOfAnswer(candidate.state))});
   }
 }
 
 void TaskStory::tellPlan(const Plan& plan) {
-  fmt::print(out_, "\nThe robot has a plan of {} steps.\n", plan.steps.size());
-  if (!plan.not_wanted.empty()) {
-    fmt::print(out_, "What need not be: {}.\n", joined(plan.not_wanted, phrases_));
-  }
-  if (!plan.assumed_not_wanted.empty()) {
-    fmt::print(out_, "What nobody was asked about, and is not promised: {}.\n",
-               joined(plan.assumed_not_wanted, phrases_));
-  }
-  if (plan.extra_cost > 0) {
-    fmt::print(out_, "To keep what nobody asked for costs {} of its {}.\n", plan.extra_cost,
-               plan.cost);
-  }
+  out_ << '\n' << foundText(plan) << '\n';
+  if (!plan.not_wanted.empty()) tell("story_left_out", {joined(plan.not_wanted)});
+  if (!plan.assumed_not_wanted.empty())
+    tell("story_not_promised", {joined(plan.assumed_not_wanted)});
+  if (plan.extra_cost > 0) out_ << extraText(plan) << '\n';
+}
+
+std::string TaskStory::foundText(const Plan& plan) const {
+  return plan.steps.empty() ? phrases_.say("story_found_done")
+                            : phrases_.counted("story_found", plan.steps.size());
+}
+
+// Where each step costs 1, the cost is a number of steps.
+std::string TaskStory::extraText(const Plan& plan) const {
+  const auto steps = static_cast<std::size_t>(plan.extra_cost);
+  const bool counts_steps = plan.cost == static_cast<double>(plan.steps.size());
+  if (counts_steps)
+    return phrases_.counted("story_extra_steps", steps, {std::to_string(plan.steps.size())});
+  return phrases_.say("story_extra_cost",
+                      {fmt::format("{}", plan.extra_cost), fmt::format("{}", plan.cost)});
 }
 
 void TaskStory::tellFailure(const AlignResult& result) {
   // "There is no plan" is said only where that is proven.
   const bool proven = result.outcome == AlignResult::GOAL_UNSOLVABLE ||
                       result.outcome == AlignResult::EXPECTATION_UNACHIEVABLE;
-  const bool sentence = !result.message.empty() && result.message.back() == '.';
-  fmt::print(out_, "\n{} (outcome {}): {}{}\n",
-             proven ? "There is no plan" : "The robot does not act", result.outcome, result.message,
-             sentence ? "" : ".");
+  out_ << '\n';
+  tell(proven ? "story_impossible" : "story_undecided",
+       {std::to_string(result.outcome), ended(result.message)});
   // The first ones are in the message.
-  for (std::size_t i = phrasing::kSpokenAlternatives; i < result.alternatives.size(); ++i) {
-    fmt::print(out_, "  It could be done without this: {}.\n",
-               joined(result.alternatives[i].given_up, phrases_));
-  }
+  for (std::size_t i = phrasing::kSpokenAlternatives; i < result.alternatives.size(); ++i)
+    tellBelow("story_except", {joined(result.alternatives[i].given_up)});
 }
 
 std::string TaskStory::stepText(const ActionDispatch& step) const {
@@ -287,35 +319,35 @@ std::string TaskStory::stepText(const ActionDispatch& step) const {
 void TaskStory::hearStep(const Plan& plan, std::size_t index) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (; told_steps_ <= index && told_steps_ < plan.steps.size(); ++told_steps_) {
-    fmt::print(out_, "  step {} of {}: {}\n", told_steps_ + 1, plan.steps.size(),
-               stepText(plan.steps[told_steps_]));
+    tellBelow("story_step", {std::to_string(told_steps_ + 1), std::to_string(plan.steps.size()),
+                             stepText(plan.steps[told_steps_])});
   }
   out_ << std::flush;
 }
 
 void TaskStory::hearTrouble(const std::string& reason) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  fmt::print(out_, "\nSomething went wrong: {}.\n", reason);
+  out_ << '\n';
+  tell("story_trouble", {ended(phrases_.inWords(reason))});
   out_ << std::flush;
 }
 
 void TaskStory::hearNewPlan(const Plan& plan) {
   const std::lock_guard<std::mutex> lock(mutex_);
   told_steps_ = 0;
-  fmt::print(out_, "The robot has a new plan of {} steps, under the same answers:\n",
-             plan.steps.size());
-  out_ << std::flush;
+  out_ << phrases_.counted("story_new", plan.steps.size()) << std::endl;
 }
 
 void TaskStory::hearEnd(const Plan& plan, const ExecutePlanResult& result) {
   const bool done = result.outcome == ExecutePlanResult::SUCCESS;
   if (done && !plan.steps.empty()) hearStep(plan, plan.steps.size() - 1);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!done) {
-    fmt::print(out_, "\nThe plan was not carried out (outcome {}): {}\n", result.outcome,
-               result.reason);
+  out_ << '\n';
+  if (done) {
+    tell("story_guaranteed", {joined(plan.guaranteed)});
   } else {
-    fmt::print(out_, "\nGuaranteed: {}.\n", joined(plan.guaranteed, phrases_));
+    tell("story_not_done",
+         {std::to_string(result.outcome), ended(phrases_.inWords(result.reason))});
   }
   out_ << std::flush;
 }

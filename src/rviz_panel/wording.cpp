@@ -35,6 +35,11 @@ QString outcomeLine(const AlignmentState& state) {
   }
 }
 
+// As people write names.
+QString plain(const std::string& name) {
+  return QString::fromStdString(name).replace('-', ' ').replace('_', ' ');
+}
+
 }  // namespace
 
 QString pddlOf(const Fluent& fluent) {
@@ -46,7 +51,12 @@ QString pddlOf(const Fluent& fluent) {
 }
 
 QString phraseOf(const Fluent& fluent) {
-  return fluent.text.empty() ? pddlOf(fluent) : QString::fromStdString(fluent.text);
+  if (!fluent.text.empty()) return QString::fromStdString(fluent.text);
+  QStringList args;
+  for (const std::string& arg : fluent.args)
+    args << plain(arg);
+  const QString atom = plain(fluent.name) + (args.isEmpty() ? "" : ": " + args.join(", "));
+  return fluent.negated != 0 ? "not so: " + atom : atom;
 }
 
 QStringList phrasesOf(const std::vector<Fluent>& fluents) {

@@ -17,7 +17,7 @@ namespace goal_alignment::rviz_panel {
 
 /// "(on a b)" or "(not (on a b))", as ~answer understands it.
 QString pddlOf(const Fluent& fluent);
-/// The spoken form where there is one, else the PDDL.
+/// The spoken form where there is one, else "on: a, b" or "not so: on: a, b".
 QString phraseOf(const Fluent& fluent);
 QStringList phrasesOf(const std::vector<Fluent>& fluents);
 /// "(wipe china-cup)".

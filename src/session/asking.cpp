@@ -13,7 +13,31 @@ using questions::Knowledge;
 Reason Session::Implementation::reasonFor(std::optional<std::size_t> conflict) const {
   if (!conflict) return {};
   const Conflict& known = robot().conflicts()[*conflict];
-  return {fluents(known.members), known.proven, 0};
+  return {fluents(known.members), known.proven, 0, cantBeHadAlone(known)};
+}
+
+/// Whatever else is asked for.
+bool Session::Implementation::cantBeHadAlone(const Conflict& conflict) const {
+  const std::vector<std::size_t> members = achievability::members(conflict.members);
+  return conflict.proven && members.size() == 1 &&
+         ((problem_->specified.empty() && problem_->condition.empty()) ||
+          robot().recallAlone(members.front()) == achievability::Verdict::Unachievable);
+}
+
+/// Whether the fluent may be so for a while and then no more.
+bool Session::Implementation::mayPass(const Literal& fluent) const {
+  const auto passes = [&](const pddl::Model& model) {
+    const auto predicate = model.findPredicate(fluent.atom.name);
+    const auto undoes = [&](const pddl::LiftedAtom& atom) { return atom.predicate == predicate; };
+    const auto any = [&](const auto& effect) {
+      const auto& atoms = fluent.negated ? effect.add : effect.del;
+      return std::any_of(atoms.begin(), atoms.end(), undoes);
+    };
+    return std::any_of(model.schemas.begin(), model.schemas.end(), [&](const auto& schema) {
+      return any(schema) || std::any_of(schema.conditional.begin(), schema.conditional.end(), any);
+    });
+  };
+  return passes(problem_->human) || passes(problem_->robot);
 }
 
 void Session::Implementation::ask(const std::vector<questions::Choice>& choices) {
@@ -50,6 +74,7 @@ QuestionView Session::Implementation::openQuestion() const {
     view.fluents.push_back(dialogue_.fluents()[posed.candidate]);
     view.reasons.push_back(reasonNow(posed, now));
     view.probabilities.push_back(beliefs_[posed.candidate]);
+    view.at_end = view.at_end || mayPass(view.fluents.back());
   }
   view.asked = dialogue_.asked() - 1;
   view.max_remaining = mostRemaining(now);

@@ -17,10 +17,11 @@ void Session::Implementation::conclude(const CandidateSet& achieved, const task:
   Outcome outcome;
   outcome.code = OutcomeCode::Success;
   outcome.plan = finalPlan(achieved, first_plan);
-  outcome.message = "the plan achieves what was asked for and all that was not answered no";
+  outcome.message =
+      "I have a plan. It does what you asked and keeps everything you didn't rule out.";
   if (!outcome.plan.assumed_not_wanted.empty()) {
-    outcome.message += "; nobody was asked about this, it was assumed not to matter: " +
-                       listed(outcome.plan.assumed_not_wanted);
+    outcome.message += " I don't promise this, since nobody was asked about it: " +
+                       listed(outcome.plan.assumed_not_wanted) + ".";
   }
   const auto fault =
       validation::fault(problem_->robot, outcome.plan.steps, specifiedAnd(achieved), cancelOnly());

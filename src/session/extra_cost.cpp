@@ -86,7 +86,7 @@ std::vector<Dialogue::Posed> Session::Implementation::tooCostly(const CandidateS
     if (passes(dearer.cost))
       free |= trueAtEnd(dearer.plan);
     else
-      result.push_back({candidate, Reason{{}, true, extra(dearer.cost)}});
+      result.push_back({candidate, Reason{{}, true, extra(dearer.cost), false}});
   }
   return result;
 }

@@ -44,7 +44,9 @@ class Session::Implementation {
   const Outcome& outcome() const { return outcome_; }
   const Dialogue& dialogue() const { return dialogue_; }
   const Statistics& statistics() const { return statistics_; }
-  const std::string& humanPlanInRobotModel() const { return robot_side_.human_plan_violation; }
+  const std::optional<validation::Violation>& humanPlanViolation() const {
+    return robot_side_.human_plan_violation;
+  }
   CancelToken& cancelToken() { return cancel_; }
 
  private:
@@ -89,6 +91,8 @@ class Session::Implementation {
   Reason reasonFor(std::optional<std::size_t> conflict) const;
   Reason reasonNow(const Dialogue::Posed& posed, const questions::Situation& now) const;
   std::size_t mostRemaining(const questions::Situation& now) const;
+  bool cantBeHadAlone(const achievability::Conflict& conflict) const;
+  bool mayPass(const Literal& fluent) const;
 
   // extra_cost.cpp: what keeping things costs that nobody asked for
   bool costsMatter() const;

@@ -74,8 +74,10 @@ Outcome outcomeOf(const std::exception& exception) {
   } else if (const auto* step = dynamic_cast<const alignment::HumanPlanInvalid*>(&exception)) {
     outcome.code = OutcomeCode::HumanPlanInvalid;
     outcome.failing_step = static_cast<int>(step->step());
-  } else if (dynamic_cast<const alignment::GoalNotExpected*>(&exception) != nullptr) {
+    outcome.violation = step->violation();
+  } else if (const auto* goal = dynamic_cast<const alignment::GoalNotExpected*>(&exception)) {
     outcome.code = OutcomeCode::GoalNotExpected;
+    if (!goal->hasCondition()) outcome.missing = goal->missing();
   } else if (dynamic_cast<const alignment::GoalsDiffer*>(&exception) != nullptr ||
              dynamic_cast<const pddl::InputError*>(&exception) != nullptr) {
     outcome.code = OutcomeCode::InvalidModel;

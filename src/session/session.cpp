@@ -93,7 +93,12 @@ const Statistics& Session::statistics() const {
 }
 
 std::string Session::humanPlanInRobotModel() const {
-  return implementation_->humanPlanInRobotModel();
+  const auto& violation = humanPlanViolation();
+  return violation ? violation->message : std::string();
+}
+
+const std::optional<validation::Violation>& Session::humanPlanViolation() const {
+  return implementation_->humanPlanViolation();
 }
 
 std::string Session::spelling(const Literal& fluent) const {

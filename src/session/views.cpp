@@ -65,7 +65,7 @@ Snapshot Session::Implementation::snapshot() const {
   view.conflicts_complete = robot().complete();
   for (const Conflict& conflict : now.conflicts) {
     ConflictView shown = {fluents(conflict.members), conflict.proven, conflict.minimal,
-                          now.isLive(conflict)};
+                          now.isLive(conflict), cantBeHadAlone(conflict)};
     for (const std::size_t f : achievability::members(conflict.members)) {
       if (shown.live) view.candidates[f].conflicts.push_back(view.conflicts.size());
       if (conflict.proven && conflict.members.count() == 1) view.candidates[f].achievable = false;

@@ -66,6 +66,7 @@ Consequence Session::Implementation::whatIf(const std::vector<Literal>& wanted,
     result.kind = Consequence::Kind::Questions;
     then.conflicts = robot().conflicts();
     result.max_remaining = mostRemaining(then);
+    result.bound_is_provisional = !robot().complete();
     for (const Conflict& conflict : then.conflicts) {
       if (!then.isLive(conflict)) continue;
       result.conflict = fluents(conflict.members);

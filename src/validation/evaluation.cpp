@@ -52,4 +52,62 @@ bool Evaluation::holds(const pddl::Formula& formula) {
   return false;
 }
 
+std::vector<Literal> Evaluation::missing(const pddl::Formula& formula) {
+  std::vector<Literal> literals;
+  for (const bool with_static : {false, true}) {
+    if (literals.empty()) collectFalse(formula, with_static, literals);
+  }
+  std::sort(literals.begin(), literals.end());
+  literals.erase(std::unique(literals.begin(), literals.end()), literals.end());
+  return literals;
+}
+
+// False, and nothing can be done about it.
+bool Evaluation::isHopeless(const pddl::Formula& part) {
+  using Kind = pddl::Formula::Kind;
+  const bool fixed =
+      part.kind == Kind::Equality ||
+      (part.kind == Kind::Literal &&
+       !model_.predicates[static_cast<std::size_t>(part.literal.atom.predicate)].fluent);
+  return fixed && !holds(part);
+}
+
+void Evaluation::collectFalse(const pddl::Formula& formula, bool with_static,
+                              std::vector<Literal>& into) {
+  using Kind = pddl::Formula::Kind;
+  const auto& parts = formula.parts;
+  const auto collect = [&](const pddl::Formula& part) { collectFalse(part, with_static, into); };
+  const auto is_hopeless = [this](const pddl::Formula& part) { return isHopeless(part); };
+  if (holds(formula) || (!with_static && isHopeless(formula))) return;
+  switch (formula.kind) {
+    case Kind::Literal:
+      into.push_back(
+          {model_.name(instantiate(formula.literal.atom, binding_)), formula.literal.negated});
+      break;
+    case Kind::Equality:
+      break;
+    case Kind::And:
+      if (!with_static && std::any_of(parts.begin(), parts.end(), is_hopeless)) break;
+      collect(*std::find_if(parts.begin(), parts.end(),
+                            [this](const pddl::Formula& part) { return !holds(part); }));
+      break;
+    case Kind::Or:
+      std::for_each(parts.begin(), parts.end(), collect);
+      break;
+    case Kind::ForAll:
+      anyBinding(formula.variables, [&] {
+        if (holds(parts.front())) return false;
+        collect(parts.front());
+        return true;
+      });
+      break;
+    case Kind::Exists:
+      anyBinding(formula.variables, [&] {
+        collect(parts.front());
+        return false;
+      });
+      break;
+  }
+}
+
 }  // namespace goal_alignment::validation

@@ -33,6 +33,11 @@ class Evaluation {
   bool holds(const pddl::LiftedLiteral& literal) const;
   bool holds(const pddl::Equality& equality) const;
 
+  /// Of a formula that is false: ground literals that all are false, one of which would have to be
+  /// true. Those that no action changes stand there only where there is no other. Empty: where
+  /// there is nothing but equalities.
+  std::vector<Literal> missing(const pddl::Formula& formula);
+
   /// Calls visit() under every binding of the variables to objects of their types, until it
   /// returns true; tells whether it did.
   template <typename Visit>
@@ -51,6 +56,8 @@ class Evaluation {
   }
 
  private:
+  void collectFalse(const pddl::Formula& formula, bool with_static, std::vector<Literal>& into);
+  bool isHopeless(const pddl::Formula& part);
   void pollLimits() { pollOrThrow(monitor_, "executing a plan"); }
 
   const pddl::Model& model_;

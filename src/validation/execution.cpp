@@ -59,6 +59,7 @@ Violation Step::falsePrecondition(Literal literal) const {
   Violation found = violation(
       Kind::Precondition,
       "the precondition " + (literal.negated ? "(not " + atom + ")" : atom) + " is false");
+  found.missing = {literal};
   found.literal = std::move(literal);
   return found;
 }
@@ -97,16 +98,21 @@ std::optional<Violation> Step::bindArgument(const std::string& name) {
     std::vector<std::string> known;
     for (const pddl::Object& declared : model_.objects)
       known.push_back(declared.name.spelling);
-    return violation(Kind::UnknownObject,
-                     "unknown object " + inQuotes(name) + pddl::suggestion(name, known));
+    Violation found = violation(Kind::UnknownObject,
+                                "unknown object " + inQuotes(name) + pddl::suggestion(name, known));
+    found.object = name;
+    return found;
   }
   const pddl::Parameter& parameter = schema_->parameters[binding_.size()];
   const pddl::Object& argument = model_.objects[*object];
   if (!model_.isSubtype(argument.type, parameter.type)) {
-    return violation(Kind::WrongType, inQuotes(argument.name.spelling) + " is of type " +
-                                          inQuotes(model_.types[argument.type].name.spelling) +
-                                          ", but parameter '?" + parameter.name + "' takes " +
-                                          inQuotes(model_.types[parameter.type].name.spelling));
+    Violation found =
+        violation(Kind::WrongType, inQuotes(argument.name.spelling) + " is of type " +
+                                       inQuotes(model_.types[argument.type].name.spelling) +
+                                       ", but parameter '?" + parameter.name + "' takes " +
+                                       inQuotes(model_.types[parameter.type].name.spelling));
+    found.object = name;
+    return found;
   }
   binding_.push_back(*object);
   return std::nullopt;
@@ -126,8 +132,11 @@ std::optional<Violation> Step::checkPrecondition(const AtomSet& state) {
   }
   for (const pddl::Formula& part : schema_->condition.parts) {
     if (evaluation.holds(part)) continue;
-    return violation(Kind::Precondition,
-                     "the precondition " + model_.text(part, variables_, binding_) + " is false");
+    Violation found =
+        violation(Kind::Precondition,
+                  "the precondition " + model_.text(part, variables_, binding_) + " is false");
+    found.missing = evaluation.missing(part);
+    return found;
   }
   return std::nullopt;
 }

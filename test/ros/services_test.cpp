@@ -258,7 +258,7 @@ TEST_F(Services, explainRefusesWhatItCannotRead) {
   begin(sweepHall());
   const auto nothing = explain({}, kWhatIf);
   EXPECT_FALSE(nothing.known);
-  EXPECT_TRUE(contains(nothing.text, "name what is to be supposed")) << nothing.text;
+  EXPECT_TRUE(contains(nothing.text, "Name what is to be supposed")) << nothing.text;
   const auto unknown = explain({}, 9);
   EXPECT_FALSE(unknown.known);
   EXPECT_TRUE(contains(unknown.text, "9 is no kind of explanation")) << unknown.text;

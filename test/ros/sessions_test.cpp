@@ -140,10 +140,10 @@ TEST_F(Sessions, goOnAfterNoPlanWithAnAlternative) {
   ASSERT_EQ(before.alternatives.size(), 2U);
   for (const std::string& message : {before.message, currentState().message}) {
     EXPECT_EQ(message.find("I can't have both: \"seated\" holds for g"), 0U) << message;
-    EXPECT_NE(message.find("That is certain. I can do all but this: \"seated\" holds for g"),
+    EXPECT_NE(message.find("That is certain. I can do everything except: \"seated\" holds for g"),
               std::string::npos)
         << message;
-    EXPECT_NE(message.find(". Or all but this: "), std::string::npos) << message;
+    EXPECT_NE(message.find(". Or everything except: "), std::string::npos) << message;
   }
   const auto given_up = before.alternatives[1].given_up;
   ASSERT_EQ(given_up.size(), 1U);

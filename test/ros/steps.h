@@ -33,7 +33,7 @@ class Steps : public testing::Test, protected PlanRuns {
     EXPECT_EQ(execute_.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
     EXPECT_EQ(result.outcome, ExecutePlanResult::CANCELED);
     EXPECT_EQ(result.failed_step, 0);
-    EXPECT_NE(result.reason.find("stopped during step 0"), std::string::npos) << result.reason;
+    EXPECT_NE(result.reason.find("stopped during step 1"), std::string::npos) << result.reason;
   }
 
   ros::NodeHandle node_;

@@ -168,7 +168,7 @@ TEST_F(Steps, thatDoNotStopWhenCancelledAreLeft) {
   base.mood = FakeBase::Mood::IgnoreCancel;
   setMapping(kGo);
   cancelWhileItRuns(planOf({kGoToKitchen}), [&] { return base.goals().size() == 1; });
-  EXPECT_NE(awaitEnd().reason.find("did not end when it was cancelled"), std::string::npos);
+  EXPECT_NE(awaitEnd().reason.find("did not end when it was canceled"), std::string::npos);
   ros::param::del("/plan_executor/cancel_patience");
 }
 
@@ -289,7 +289,7 @@ TEST_F(Steps, ofAPlanThatIsDisplacedAreCancelledBeforeTheNextBegins) {
   goal.plan = planOf({kGoToKitchen});
   other.sendGoal(goal);
   EXPECT_EQ(awaitEnd().outcome, ExecutePlanResult::CANCELED);
-  EXPECT_EQ(awaitEnd().reason.find("displaced by a newer plan: stopped during step 0"), 0U)
+  EXPECT_EQ(awaitEnd().reason.find("displaced by a newer plan: stopped during step 1"), 0U)
       << awaitEnd().reason;
   EXPECT_TRUE(eventually([&] { return other.getState().isDone(); }));
   EXPECT_EQ(other.getState(), State::SUCCEEDED);
@@ -305,7 +305,7 @@ TEST_F(Steps, areRefusedWhereTheMappingIsFaultyOrSilent) {
       << result.reason;
   setMapping(kGo);
   result = run(planOf({{"dance", {}}}));
-  EXPECT_EQ(result.reason.find("nothing says how to carry out step 0 (dance)"), 0U)
+  EXPECT_EQ(result.reason.find("nothing says how to carry out step 1 (dance)"), 0U)
       << result.reason;
   result = run(planOf({{"go", {{"from", "hall"}, {"to", "attic"}}}}));
   EXPECT_NE(result.reason.find("table 'pose' has no entry for 'attic'"), std::string::npos)

@@ -78,6 +78,8 @@ class Achievability {
   /// Which candidates can be had at all, without the specified goal (those that can't are the
   /// paper's F̂)?
   std::vector<Verdict> reachableAlone(const Limits& limits);
+  /// What is known of one candidate without a search.
+  std::optional<Verdict> recallAlone(std::size_t candidate) const;
 
   /// A plan for the set that no plan undercuts in cost; Unknown where the limits end the search.
   search::Result optimalPlan(const CandidateSet& set, const Limits& limits);
@@ -156,7 +158,6 @@ class Achievability {
                                  const Limits& limits);
   std::optional<Check> searchParts(const CandidateSet& set, const Limits& limits);
   bool takeConflicts(const Limits& limits);
-  std::optional<Verdict> recallAlone(std::size_t candidate) const;
   Verdict learnAlone(std::size_t candidate, const search::Result& result);
   void addUnachievable(const CandidateSet& set, const Limits& limits);
   bool provenUnachievable(const CandidateSet& set, std::uint64_t& states, const Limits& limits);

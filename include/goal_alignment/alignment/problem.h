@@ -25,10 +25,11 @@ class GoalsDiffer : public Exception {
 class HumanPlanInvalid : public Exception {
  public:
   explicit HumanPlanInvalid(const validation::Violation& violation);
-  std::size_t step() const noexcept { return step_; }
+  std::size_t step() const noexcept { return violation_.step; }
+  const validation::Violation& violation() const noexcept { return violation_; }
 
  private:
-  std::size_t step_;
+  validation::Violation violation_;
 };
 
 /// S^H does not satisfy G^H.
@@ -38,9 +39,12 @@ class GoalNotExpected : public Exception {
   GoalNotExpected(const std::vector<Literal>& missing, const std::string& condition,
                   bool plan_is_empty);
   const std::vector<Literal>& missing() const noexcept { return missing_; }
+  /// Whether more is missing than literals can say.
+  bool hasCondition() const noexcept { return has_condition_; }
 
  private:
   std::vector<Literal> missing_;
+  bool has_condition_;
 };
 
 /// A fluent of S^H \ G^H, or the negation of one outside S^H: the person may want it, and nobody

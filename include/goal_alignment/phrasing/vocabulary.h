@@ -53,8 +53,9 @@
 ///       plan: "{0} steps: first {1}, last {2}."    # the number of steps, what the first and last
 ///       is plan_of_one: "I do this: {0}."
 ///
-/// Case, punctuation and apostrophes do not count. What is heard may consist of several of these
-/// texts, the longest at each place, as long as all mean the same: "no, it doesn't matter".
+/// Case, accents, punctuation and apostrophes do not count, and `ß` is `ss`. What is heard may consist
+/// of several of these texts, the longest at each place, as long as all mean the same: "no, it
+/// doesn't matter".
 namespace goal_alignment::phrasing {
 
 /// What was understood of what a person said.
@@ -155,7 +156,7 @@ class Vocabulary {
   std::optional<EndSayings> end_;
 };
 
-/// The words of a text in lower case, without punctuation but for apostrophes within them.
+/// The words of a text as folded() has them, without punctuation but for apostrophes within them.
 std::vector<std::string> wordsOf(const std::string& text);
 
 }  // namespace goal_alignment::phrasing

@@ -14,6 +14,8 @@ struct Reason {
                                   ///< policies `paper` and `ask-all`
   bool proven = false;            ///< false: "I could not make sure …"
   std::int64_t extra_cost = 0;    ///< without a conflict: keeping the fluent costs so much more
+  bool alone = false;             ///< proven: the conflict's one fluent can't be had whatever else
+                                  ///< is asked for
 
   friend bool operator==(const Reason& a, const Reason& b) {
     return a.conflict == b.conflict && a.proven == b.proven && a.extra_cost == b.extra_cost;

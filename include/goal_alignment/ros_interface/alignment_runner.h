@@ -145,6 +145,7 @@ class AlignmentRunner {
   AlignmentState stateMessage(const session::Snapshot& now, const std::string& message) const;
   AlignResult figures(const session::Snapshot& now) const;
   std::string spoken(const std::vector<Literal>& fluents) const;
+  std::string planBreak() const;
   std::string storyOf(const AlignGoal& goal) const;
 
   ros::NodeHandle private_node_;

@@ -29,9 +29,9 @@ namespace goal_alignment::ros_interface {
 /// shutdown, even while it waits for a line.
 class ConsoleDialogue {
  public:
-  /// `terminal` outlives this.
+  /// `terminal` outlives this. It speaks the language of `phrases`.
   ConsoleDialogue(ros::NodeHandle node, int input, PromptedTerminal& terminal,
-                  phrasing::Vocabulary vocabulary);
+                  phrasing::Vocabulary vocabulary, phrasing::Phrases phrases = {});
 
   /// Talks to the person until the input ends or the node shuts down. The calling thread alone
   /// reads the terminal; callbacks must run in others.
@@ -80,6 +80,7 @@ class ConsoleDialogue {
 
   PromptedTerminal& terminal_;
   phrasing::Vocabulary vocabulary_;
+  const phrasing::Phrases phrases_;
   WakePipe wake_pipe_;
   LineReader lines_;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "goal_alignment/phrasing/phrases.h"
 #include "goal_alignment/session/outcome.h"
@@ -9,9 +10,10 @@
 
 namespace goal_alignment::ros_interface {
 
-/// What people are told of an outcome: in words where fluents are named, else the session's own
-/// message. `last` is how things stood then.
+/// What people are told of an outcome, in the language of the phrases; of what is wrong with the
+/// models or the program the session's own message. `last` is how things stood then.
 std::string spokenOutcome(const session::Outcome& outcome, const session::Snapshot& last,
-                          const phrasing::Phrases& phrases);
+                          const phrasing::Phrases& phrases,
+                          const std::vector<GroundName>& human_plan);
 
 }  // namespace goal_alignment::ros_interface

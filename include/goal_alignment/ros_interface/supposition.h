@@ -27,9 +27,10 @@ struct Supposition {
 
 /// A fluent that is no candidate, while its negation is one, stands for that not being wanted.
 /// Fluents that were asked for are wanted anyway.
-Supposition supposition(const std::vector<Literal>& fluents, const session::Snapshot& snapshot);
+Supposition supposition(const std::vector<Literal>& fluents, const session::Snapshot& snapshot,
+                        const phrasing::Phrases& phrases);
 
-/// "If it mattered that …: I'd still have a plan, of 7 steps." `then` is how things stand after the
+/// "If it mattered that …: I would have a plan of 7 steps." `then` is how things stand after the
 /// session has thought about it. The consequence is known.
 Explain::Response explainConsequence(const Supposition& supposed,
                                      const session::Consequence& consequence,

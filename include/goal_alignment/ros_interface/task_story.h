@@ -18,7 +18,7 @@
 
 namespace goal_alignment::ros_interface {
 
-/// Tells one alignment in plain English, in its right order although its messages come on several
+/// Tells one alignment in plain words, in its right order although its messages come on several
 /// topics: the task, where the person's plan breaks for the robot, each question with its reason
 /// and then its answer, the outcome, the alternative that is taken up, the steps, and what is
 /// guaranteed. Thread-safe.
@@ -50,6 +50,10 @@ class TaskStory {
   // All below need mutex_.
   void forgetDialogue();
   void goOn();
+  std::string joined(const std::vector<Fluent>& fluents) const;
+  /// What the phrases call so, as a line.
+  void tell(const std::string& name, const std::vector<std::string>& arguments = {});
+  void tellBelow(const std::string& name, const std::vector<std::string>& arguments);
   void tellBreak();
   void tellDialogue();
   void tellQuestion(const Question& question);
@@ -60,6 +64,8 @@ class TaskStory {
   const Candidate* candidateOf(const Fluent& fluent) const;
   const char* answerTo(const Fluent& fluent) const;
   void tellPlan(const Plan& plan);
+  std::string foundText(const Plan& plan) const;
+  std::string extraText(const Plan& plan) const;
   void tellFailure(const AlignResult& result);
   std::string stepText(const ActionDispatch& step) const;
 
@@ -67,7 +73,7 @@ class TaskStory {
   std::ostream& out_;
   phrasing::Phrases phrases_;
   bool tell_questions_;
-  std::string person_ = "the person";
+  std::string person_;
   std::string session_;  // known from the first question or the result
   AlignmentState state_;
   bool told_break_ = false;

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/common/limits.h"
+#include "goal_alignment/validation/execution.h"
 
 namespace goal_alignment::session {
 
@@ -73,6 +75,9 @@ struct Outcome {
   /// less might do.
   std::vector<Alternative> alternatives;
   int failing_step = -1;  ///< index in the human plan, with code HumanPlanInvalid
+  std::optional<validation::Violation> violation;  ///< of that step
+  std::vector<Literal> missing;  ///< with code GoalNotExpected: what the plan does not lead to;
+                                 ///< empty: something that is no literal
 };
 
 /// The word of the command line's JSON: plan_found no_plan undecided cancelled invalid internal.

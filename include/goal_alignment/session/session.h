@@ -16,6 +16,7 @@
 #include "goal_alignment/questions/reason.h"
 #include "goal_alignment/session/options.h"
 #include "goal_alignment/session/outcome.h"
+#include "goal_alignment/validation/execution.h"
 
 /// One alignment, from task to outcome and on. The façade of the core: the ROS node, the command
 /// line and the tests drive this same object. It asks and is told; it does no I/O.
@@ -97,7 +98,8 @@ struct ConflictView {
   std::vector<Literal> fluents;
   bool proven = false;
   bool minimal = false;
-  bool live = false;  ///< no fluent of it was answered NO
+  bool live = false;   ///< no fluent of it was answered NO
+  bool alone = false;  ///< proven: its one fluent can't be had even without what was asked for
 
   /// Whether these are its fluents, in any order.
   bool isOf(const std::vector<Literal>& these) const;
@@ -116,6 +118,7 @@ struct QuestionView {
                                       ///< and so may the prospects
   questions::Prospect if_yes;         ///< what follows if all of `fluents` not answered yet matter
   questions::Prospect if_no;          ///< and if none of those does
+  bool at_end = false;                ///< one of them may be so for a while and then no more
 };
 
 /// One question that was answered. What of its fluents was answered only after others had made it
@@ -136,9 +139,10 @@ struct Consequence {
     Questions,  ///< it depends on answers that were not given yet
   };
   Kind kind = Kind::Unknown;
-  std::vector<GroundName> plan;   ///< with Plan
-  std::vector<Literal> conflict;  ///< with NoPlan, and where one is known with Questions
-  std::size_t max_remaining = 0;  ///< with Questions: at most so many
+  std::vector<GroundName> plan;       ///< with Plan
+  std::vector<Literal> conflict;      ///< with NoPlan, and where one is known with Questions
+  std::size_t max_remaining = 0;      ///< with Questions: at most so many
+  bool bound_is_provisional = false;  ///< as QuestionView's
 };
 
 /// Everything an onlooker may want to see.
@@ -250,6 +254,8 @@ class Session {
   /// Where π^H first fails in the robot's model, as one sentence; empty: it doesn't, or is not
   /// known yet.
   std::string humanPlanInRobotModel() const;
+  /// The same for who words it.
+  const std::optional<validation::Violation>& humanPlanViolation() const;
 
   /// The text with the names spelled as the models' writers did.
   std::string spelling(const Literal& fluent) const;

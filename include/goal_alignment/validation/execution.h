@@ -27,6 +27,9 @@ struct Violation {
   std::size_t step = 0;            ///< index in the plan
   std::optional<Literal> literal;  ///< for Kind::Precondition: the literal that is false, if one is
   std::string message;             ///< one sentence naming step, action and what is wrong
+  std::vector<Literal> missing;    ///< for Kind::Precondition: ground literals that are all false
+                                   ///< and one of which would have to be true; empty: none has
+  std::string object;              ///< for Kind::UnknownObject and WrongType: as the plan calls it
 };
 
 /// What came of executing a plan, up to the first step that can't be executed. Holds one state and

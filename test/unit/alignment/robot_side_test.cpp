@@ -24,15 +24,15 @@ TEST(RobotSide, TellsWhereTheHumanPlanBreaks) {
   const Problem problem = desk(samples::deskPlan());
   const RobotSide side = makeRobotSide(problem, true, {}, {});
   EXPECT_FALSE(side.human_plan_runs);
-  EXPECT_NE(side.human_plan_violation.find("(take B)"), std::string::npos);
-  EXPECT_NE(side.human_plan_violation.find("(free)"), std::string::npos);
+  EXPECT_NE(side.human_plan_violation->message.find("(take B)"), std::string::npos);
+  EXPECT_NE(side.human_plan_violation->message.find("(free)"), std::string::npos);
   EXPECT_EQ(side.achievability->candidateCount(), problem.candidates.size());
 }
 
 TEST(RobotSide, APlanThatRunsHasNoViolation) {
   const RobotSide side = makeRobotSide(desk({{"take", {"a"}}, {"put", {"a"}}}), true, {}, {});
   EXPECT_TRUE(side.human_plan_runs);
-  EXPECT_EQ(side.human_plan_violation, "");
+  EXPECT_FALSE(side.human_plan_violation.has_value());
 }
 
 // Stage 0: what the plan reaches on the robot's side is known without a search.
@@ -55,7 +55,8 @@ RC_GTEST_PROP(RobotSide, RunsThePlanAsTheValidatorDoes, ()) {
   const RobotSide side = makeRobotSide(problem, true, {}, {});
   const validation::Execution execution = validation::execute(hagl.robot, hagl.input.human_plan);
   RC_ASSERT(side.human_plan_runs == !execution.violation.has_value());
-  if (execution.violation) RC_ASSERT(side.human_plan_violation == execution.violation->message);
+  if (execution.violation)
+    RC_ASSERT(side.human_plan_violation->message == execution.violation->message);
 }
 
 TEST(RobotSide, StopsWhenCancelled) {

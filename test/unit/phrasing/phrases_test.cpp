@@ -98,7 +98,7 @@ TEST(Phrases, AProvenReasonSaysCant) {
   const std::vector<SpokenList> table = {
       {{}, ""},
       {{"(made-with tea good-leaves)"},
-       "I can't make it so that the tea is made with the good leaves, given what you asked for."},
+       "I can't do what you asked for and this as well: the tea is made with the good leaves."},
       {{"(p)", "(not (dusty cup))"}, "I can't have both: \"p\" holds, and cup is free of dust."},
       {{"(p)", "(q)", "(r)"},
        "I can't have all of these together: \"p\" holds; \"q\" holds; and \"r\" holds."},
@@ -108,14 +108,15 @@ TEST(Phrases, AProvenReasonSaysCant) {
   }
 }
 
-TEST(Phrases, ASuspectedReasonSaysCouldNotMakeSure) {
+TEST(Phrases, ASuspectedReasonSaysCouldNotFindOut) {
   const std::vector<SpokenList> table = {
       {{}, ""},
       {{"(p)"},
-       "I could not make sure that I can make it so that \"p\" holds, given what you asked for."},
-      {{"(p)", "(q)"}, "I could not make sure that I can have both: \"p\" holds, and \"q\" holds."},
+       "I could not find out whether I can do what you asked for and this as well: \"p\" holds."},
+      {{"(p)", "(q)"},
+       "I could not find out whether I can have both: \"p\" holds, and \"q\" holds."},
       {{"(p)", "(q)", "(r)"},
-       "I could not make sure that I can have all of these together: \"p\" holds; \"q\" holds; "
+       "I could not find out whether I can have all of these together: \"p\" holds; \"q\" holds; "
        "and \"r\" holds."},
   };
   for (const SpokenList& row : table) {
@@ -136,6 +137,84 @@ TEST(Phrases, ActionsAreSpokenWithOrWithoutATemplate) {
   }
 }
 
+TEST(Phrases, AtTheEndIsSaidWhereItMayPass) {
+  const auto one = literals({"(p a)"});
+  EXPECT_EQ(tea().question(one, true),
+            "When I'm done, does it matter to you that \"p\" holds for a?");
+  EXPECT_EQ(tea().question(literals({"(p)", "(q)"}), true),
+            "When I'm done, which of these matter to you: that \"p\" holds, and that \"q\" holds?");
+}
+
+TEST(Phrases, WordOrderAndCasesOfOtherLanguages) {
+  const Phrases german = Phrases::fromYaml(
+      "language: de\n"
+      "predicates:\n"
+      "  at: {affirmative: \"{0} steht {1:wo}\", that: \"{0} {1:wo} steht\"}\n"
+      "  full: {affirmative: \"{0} ist voll\", negated: \"{0} ist leer\"}\n"
+      "objects:\n"
+      "  sink: {name: \"die Spüle\", Wo: \"an der Spüle\"}\n"
+      "  kettle: \"der Kessel\"\n",
+      "f");
+  const std::vector<Spoken> table = {
+      {"(at kettle sink)", "der Kessel steht an der Spüle"},
+      {"(at kettle kettle)", "der Kessel steht der Kessel"},  // without a form of its own
+      {"(not (at kettle sink))", "es stimmt nicht, dass der Kessel an der Spüle steht"},
+      {"(full kettle)", "der Kessel ist voll"},
+      {"(not (full kettle))", "der Kessel ist leer"},
+      {"(big sink kettle)", "„big“ gilt für die Spüle und der Kessel"},
+  };
+  for (const Spoken& row : table)
+    EXPECT_EQ(german.clause(Literal::parse(row.pddl)), row.expected) << row.pddl;
+  EXPECT_EQ(german.question(literals({"(at kettle sink)"})),
+            "Ist es Ihnen wichtig, dass der Kessel an der Spüle steht?");
+  EXPECT_EQ(german.question(literals({"(not (full kettle))"})),
+            "Ist es Ihnen wichtig, dass Folgendes gilt: der Kessel ist leer?");
+}
+
+TEST(Phrases, SingleTextsOfALanguageAreReplaced) {
+  const Phrases own = Phrases::fromYaml("frames: {certain: \"No doubt.\"}\nlanguage: de\n", "f");
+  EXPECT_EQ(own.say("certain"), "No doubt.");
+  EXPECT_EQ(own.say("answer_yes"), "ja");
+  EXPECT_EQ(own.warning(), "");
+}
+
+TEST(Phrases, EqualityIsSaidInWords) {
+  EXPECT_EQ(tea().clause(Literal::parse("(= tea cup)")), "the tea and cup are the same");
+  EXPECT_EQ(tea().clause(Literal::parse("(not (= tea cup))")), "the tea and cup are not the same");
+}
+
+TEST(Phrases, AFailureNamesTheStepAndWhatIsNotSo) {
+  using Violation = validation::Violation;
+  const GroundName step = GroundName::parse("(go hallway good-leaves)");
+  Violation violation;
+  violation.step = 2;
+  violation.kind = Violation::Kind::Precondition;
+  violation.missing = literals({"(on-high-shelf tea)"});
+  const std::string begin = "step 3 (go from hallway to the good leaves) can't be done: ";
+  EXPECT_EQ(tea().failure(violation, step), begin + "at that point the tea is off the high shelf");
+  violation.missing = literals({"(p)", "(q)"});
+  EXPECT_EQ(tea().failure(violation, step),
+            begin + "none of these is so at that point: \"p\" holds, and \"q\" holds");
+  violation.missing.clear();
+  EXPECT_EQ(tea().failure(violation, step),
+            begin + "something that it needs is not so at that point");
+  violation.kind = Violation::Kind::UnknownAction;
+  EXPECT_EQ(tea().failure(violation, GroundName::parse("(fly-home tea)")),
+            "step 3 (fly home: the tea) can't be done: I know no such step");
+  violation.object = "black-hole";
+  violation.kind = Violation::Kind::UnknownObject;
+  EXPECT_EQ(tea().failure(violation, step), begin + "I know nothing that is called black hole");
+}
+
+TEST(Phrases, WhatOthersSayInPddlIsPutInWords) {
+  EXPECT_EQ(
+      tea().inWords("step 2 (go hallway tea) failed (too late): (not (dusty cup)), then (x"),
+      "step 2 (go from hallway to the tea) failed (too late): (cup is free of dust), then (x");
+  EXPECT_EQ(tea().inWords(")) ((go hallway tea))"), ")) ((go from hallway to the tea))");
+  EXPECT_EQ(tea().inWords("(fly hallway)"), "(fly hallway)") << "no template";
+  EXPECT_EQ(tea().inWords(""), "");
+}
+
 TEST(Phrases, FilesThatSayNothingAreFine) {
   for (const std::string text : {"", "# only a comment\n", "objects:\n", "predicates: {}\n"}) {
     EXPECT_EQ(Phrases::fromYaml(text, "f").clause(Literal::parse("(p)")), "\"p\" holds") << text;
@@ -151,9 +230,11 @@ struct Broken {
 TEST(Phrases, ErrorsNamePlaceExpectationAndWhatStoodThere) {
   const std::vector<Broken> table = {
       {"predicates: [a]", "1:13", "expected a map from names to texts, found a list"},
-      {"- a", "1:1", "expected a map of 'predicates', 'objects' and 'actions', found a list"},
+      {"- a", "1:1",
+       "expected a map of 'predicates', 'objects', 'actions', 'language' and 'frames', found a "
+       "list"},
       {"objects:\npredicate:\n", "2:1",
-       "expected 'predicates', 'objects' or 'actions', found 'predicate'"},
+       "expected 'predicates', 'objects', 'actions', 'language' or 'frames', found 'predicate'"},
       {"predicates:\n  on: \"{a} on {1}\"", "2:7",
        "expected a gap such as {0} (or {{ for a brace), found '{a}'"},
       {"predicates:\n  on: \"on {1\"", "2:7",
@@ -166,7 +247,18 @@ TEST(Phrases, ErrorsNamePlaceExpectationAndWhatStoodThere) {
       {"objects:\n  a: \"\"", "2:6", "expected what to call the object, found ''"},
       {"objects:\n  cup: x\n  Cup: y", "3:3", "expected each name once, found 'cup' again"},
       {"predicates:\n  on: {positive: x}", "2:8",
-       "expected 'affirmative' or 'negated', found 'positive'"},
+       "expected 'affirmative', 'negated', 'that' or 'that_not', found 'positive'"},
+      {"predicates:\n  on: {that: x, that: y}", "2:17",
+       "expected each name once, found 'that' again"},
+      {"objects:\n  a: {dative: x}", "2:6", "expected 'name', what to call the object, found none"},
+      {"language: xx", "1:11",
+       "expected 'de', 'en', or a file beside this one, FILE.yaml, found 'xx'"},
+      {"frames:\n  certain: x\n  certian: x", "3:3",
+       "expected a name that config/phrases/en.yaml has, found 'certian'"},
+      {"frames:\n  question: \"Hm?\"", "2:13", "expected a text with {0}, found 'Hm?'"},
+      {"frames: {certain: \"{0}\"}", "1:19", "expected a text with no gap, found '{0}'"},
+      {"frames: {certain: a, certain: b}", "1:22",
+       "expected each name once, found 'certain' again"},
       {"objects: {a: b\n", "2:1", "expected YAML, found end of map flow not found"},
       {"objects:\n---\nobjects:\n", "2:1", "expected one document, found a second one"},
       {", a", "1:1", "expected one document, found a second one"},

@@ -51,6 +51,16 @@ TEST(Reply, AnythingElseIsNone) {
     EXPECT_FALSE(parseReply(line, 3).has_value()) << line;
 }
 
+TEST(Reply, ABoundThatIsAGuessIsNotSaid) {
+  EXPECT_EQ(questionLine({2, "Ada", 4, false, "Why?"}, {}),
+            "Question 2 for Ada (at most 3 more after it): Why?");
+  EXPECT_EQ(questionLine({1, "", 2, false, "Why?"}, {}),
+            "Question 1 (at most one more after it): Why?");
+  EXPECT_EQ(questionLine({1, "", 1, false, "Why?"}, {}), "Question 1 (the last one): Why?");
+  EXPECT_EQ(questionLine({1, "", 9, true, "Why?"}, {}),
+            "Question 1 (a few more questions may follow): Why?");
+}
+
 TEST(Reply, TheKeysNameWhatIsTaken) {
   EXPECT_EQ(replyKeys(1).find("numbers"), std::string::npos);
   EXPECT_NE(replyKeys(2).find("numbers"), std::string::npos);

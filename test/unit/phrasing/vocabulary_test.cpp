@@ -56,6 +56,17 @@ std::string ofSeveral(const std::string& said) {
   return meaning(english(), said, laundry());
 }
 
+TEST(Vocabulary, AccentsAndHowTheyAreEncodedDoNotCount) {
+  const Vocabulary german = vocabularyOf("de.yaml");
+  for (const char* said : {"weiß nicht", "WEISS NICHT", "weiss nicht"})
+    EXPECT_EQ(meaning(german, said), "unsure") << said;
+  for (const char* said : {"natürlich", "NATÜRLICH", "natu\u0308rlich"})
+    EXPECT_EQ(meaning(german, said), "yes") << said;
+  const std::vector<std::string> offered = {"die Tür der Küche ist zu", "der große Krug ist voll"};
+  EXPECT_EQ(meaning(german, "die Ku\u0308che", offered), "1");
+  EXPECT_EQ(meaning(german, "GROSSE", offered), "2");
+}
+
 TEST(Vocabulary, UnderstandsAnswersInAnyCaseAndWithCourtesy) {
   for (const char* said : {"yes", "Yes.", "  YES,  please!", "well, yes", "It does.", "Of course"})
     EXPECT_EQ(meaning(english(), said), "yes") << said;

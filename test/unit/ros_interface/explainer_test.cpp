@@ -70,7 +70,7 @@ TEST(Explainer, waitsForTheReasonToComeUp) {
 TEST(Explainer, refusesAtOnceWhatCannotBeSupposed) {
   Explainer explainer;
   explainer.show(sample());
-  EXPECT_TRUE(says(explainer.explain(request({}, kWhatIf), kLong), "name what is to be supposed"));
+  EXPECT_TRUE(says(explainer.explain(request({}, kWhatIf), kLong), "Name what is to be supposed"));
   EXPECT_TRUE(says(explainer.explain(request({"(z)"}, kWhatIf), kLong), "outside the state"));
   EXPECT_TRUE(
       says(explainer.explain(request({"(not (g))"}, kWhatIf), kLong), "part of the specified"));

@@ -73,7 +73,7 @@ TEST(ExplainWhy, theOpenQuestionIsExplainedAsItWasAsked) {
 TEST(ExplainWhy, aSuspicionIsNotAProof) {
   const auto response = explainWhy(sample(), literals({"(c)"}));
   EXPECT_TRUE(response.known);
-  EXPECT_TRUE(says(response, "could not make sure")) << response.text;
+  EXPECT_TRUE(says(response, "could not find out")) << response.text;
   ASSERT_EQ(response.conflicts.size(), 1U);
   EXPECT_FALSE(response.conflicts[0].proven);
 }
@@ -107,7 +107,7 @@ TEST(ExplainWhy, whatIsAssumedNobodyHasSaid) {
   const auto response = explainWhy(explained, literals({"(d)"}));
   EXPECT_TRUE(response.known);
   EXPECT_TRUE(says(response, "Nobody is asked")) << response.text;
-  EXPECT_TRUE(says(response, "assumed not to")) << response.text;
+  EXPECT_TRUE(says(response, "I take it that it doesn't")) << response.text;
 }
 
 TEST(ExplainWhy, theOutcomeWhereNoQuestionIsOpen) {
@@ -128,7 +128,7 @@ TEST(ExplainWhyNot, eachKindOfFluentHasItsAnswer) {
       {"(g)", "you asked for it"},
       {"(z)", "you don't expect it"},
       {"(a)", "I do ask whether it matters"},
-      {"(b)", "I did not ask yet"},
+      {"(b)", "I have not asked yet"},
       {"(d)", "answered no by Ann"},
   };
   for (const auto& [fluent, part] : table) {
@@ -177,7 +177,7 @@ TEST(ExplainWhyNot, whyTheHumanPlanIsNotFollowed) {
   explained.plan = explained.human_plan;
   EXPECT_EQ(explainWhyNot(explained, {}).text, "I do follow your plan.");
   explained.plan.push_back(GroundName::parse("(sweep den)"));
-  EXPECT_TRUE(says(explainWhyNot(explained, {}), "another plan, of 2 steps"));
+  EXPECT_TRUE(says(explainWhyNot(explained, {}), "another one, of 2 steps"));
   explained.human_plan_break = "step 1 fails";
   const auto broken = explainWhyNot(explained, {});
   EXPECT_EQ(broken.text, "Your plan does not work for me: step 1 fails.");

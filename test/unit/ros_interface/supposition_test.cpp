@@ -34,7 +34,7 @@ session::Snapshot sample() {
 }
 
 Supposition suppose(const std::vector<std::string>& texts) {
-  return supposition(literals(texts), sample());
+  return supposition(literals(texts), sample(), {});
 }
 
 TEST(Supposition, candidatesAreWantedAndTheirNegationsNot) {
@@ -45,10 +45,13 @@ TEST(Supposition, candidatesAreWantedAndTheirNegationsNot) {
 }
 
 TEST(Supposition, whatMakesNoSenseIsRefused) {
-  EXPECT_EQ(suppose({"(a)", "(z)"}).refusal, "(z) is outside the state that the person expects");
-  EXPECT_EQ(suppose({"(c)"}).refusal, "(c) is outside the state that the person expects");
-  EXPECT_EQ(suppose({"(not (g))"}).refusal, "(g) is part of the specified goal");
-  EXPECT_EQ(suppose({"(a)", "(not (a))"}).refusal, "(a) can't be both wanted and not wanted");
+  EXPECT_EQ(suppose({"(a)", "(z)"}).refusal,
+            "You don't expect this, so nothing depends on it: \"z\" holds.");
+  EXPECT_EQ(suppose({"(c)"}).refusal,
+            "You don't expect this, so nothing depends on it: \"c\" holds.");
+  EXPECT_EQ(suppose({"(not (g))"}).refusal, "You asked for this: \"g\" holds.");
+  EXPECT_EQ(suppose({"(a)", "(not (a))"}).refusal,
+            "This can't both matter and not matter: \"a\" holds.");
 }
 
 Explain::Response explained(const session::Consequence& consequence,
@@ -62,11 +65,11 @@ TEST(Supposition, aPlanIsToldWithItsLength) {
   consequence.plan.resize(7);
   const auto response = explained(consequence);
   EXPECT_TRUE(response.known);
-  EXPECT_EQ(response.text, "If it mattered that \"a\" holds: I'd have a plan, of 7 steps.");
+  EXPECT_EQ(response.text, "If it mattered that \"a\" holds: I would have a plan of 7 steps.");
   EXPECT_TRUE(response.conflicts.empty());
   consequence.plan.resize(1);
   EXPECT_EQ(explained(consequence, {"(not (a))"}).text,
-            "If it did not matter that \"a\" holds: I'd have a plan, of 1 step.");
+            "If it did not matter that \"a\" holds: I would have a plan of 1 step.");
   consequence.plan.clear();
   EXPECT_EQ(explained(consequence, {"(g)"}).text,
             "As things stand: all would be so already, without a step.");
@@ -79,7 +82,7 @@ TEST(Supposition, noPlanIsToldWithItsConflict) {
   const auto response = explained(consequence, {"(a)", "(b)"});
   EXPECT_TRUE(response.known);
   EXPECT_EQ(response.text,
-            "If it mattered that \"a\" holds; and that \"b\" holds: I could not do it. I can't "
+            "If it mattered that \"a\" holds, and that \"b\" holds: I could not do it. I can't "
             "have both: \"b\" holds, and \"a\" holds.");
   ASSERT_EQ(response.conflicts.size(), 1U);
   EXPECT_TRUE(response.conflicts[0].proven);
@@ -122,14 +125,18 @@ TEST(Supposition, questionsThatFollowAreCounted) {
   consequence.conflict = literals({"(b)"});
   const auto response = explained(consequence);
   EXPECT_TRUE(response.known);
-  EXPECT_EQ(response.text,
-            "If it mattered that \"a\" holds: I'd have to ask at most 3 more questions. I could "
-            "not make sure that I can make it so that \"b\" holds, given what you asked for.");
+  EXPECT_EQ(
+      response.text,
+      "If it mattered that \"a\" holds: I would have to ask at most 3 more questions. I "
+      "could not find out whether I can do what you asked for and this as well: \"b\" holds.");
   EXPECT_FALSE(response.conflicts.at(0).proven);
   consequence.conflict.clear();
   consequence.max_remaining = 1;
   EXPECT_EQ(explained(consequence).text,
-            "If it mattered that \"a\" holds: I'd have to ask at most 1 more question.");
+            "If it mattered that \"a\" holds: I would have to ask at most one more question.");
+  consequence.bound_is_provisional = true;
+  EXPECT_EQ(explained(consequence).text,
+            "If it mattered that \"a\" holds: a few more questions may follow.");
   consequence.max_remaining = 0;
   EXPECT_EQ(explained(consequence).text,
             "If it mattered that \"a\" holds: it would stay undecided.");

@@ -82,7 +82,7 @@ TEST_F(Story, goesOnAfterAQuestionThatWasTakenBack) {
   EXPECT_EQ(out_.str().find("about b"), std::string::npos) << "a may still be answered";
   story_.hear(stateWith({{"a", Candidate::SETTLED}, {"b", Candidate::ASKED}}));
   story_.hear(stateWith({{"a", Candidate::SETTLED}, {"b", Candidate::NOT_WANTED}}));
-  expectInOrder({"what about a?", "no answer is needed any more", "what about b?", "answers: no"});
+  expectInOrder({"what about a?", "No answer is needed any more", "what about b?", "answers: no"});
 }
 
 TEST_F(Story, tellsAQuestionThatNarrowsOrClosesOnce) {
@@ -181,7 +181,26 @@ TEST_F(Story, tellsWhatIsNotPromisedAndWhatKeepingCosts) {
   result.plan.extra_cost = 2;
   result.plan.cost = 5;
   story_.hear(result);
-  expectInOrder({"nobody was asked about, and is not promised: dust", "costs 2 of its 5"});
+  expectInOrder({"nobody was asked about it: dust", "\n2 of its cost of 5 is for things"});
+}
+
+TEST_F(Story, countsInSingularAndPlural) {
+  AlignResult result;
+  result.session_id = "s";
+  result.outcome = AlignResult::SUCCESS;
+  result.plan.steps.resize(1);
+  result.plan.cost = 1;
+  result.plan.extra_cost = 1;
+  result.plan.not_wanted = {fluent("dust")};
+  story_.hear(result);
+  expectInOrder({"\nThe robot has a plan of 1 step.\n", "Left out: dust.\n",
+                 "1 of the 1 steps is for things you didn't ask for.\n"});
+  result.plan.steps.resize(20);
+  result.plan.cost = 20;
+  result.plan.extra_cost = 5;
+  story_.hear(result);
+  expectInOrder({"\nThe robot has a plan of 20 steps.\n",
+                 "5 of the 20 steps are for things you didn't ask for.\n"});
 }
 
 TEST_F(Story, goesOnWithTheAlternativeThatIsTakenUp) {
@@ -204,8 +223,8 @@ TEST_F(Story, goesOnWithTheAlternativeThatIsTakenUp) {
   found.candidates = stateWith({{"a", Candidate::WANTED}}).candidates;
   story_.hear(found);
   expectInOrder({"There is no plan (outcome 52)",
-                 "\nAda settles for this: all but that peace; quiet.\n", "what about a?",
-                 "answers: yes", "a plan of 0 steps"});
+                 "\nAda settles for everything except: peace; quiet.\n", "what about a?",
+                 "answers: yes", "nothing to do"});
 }
 
 TEST_F(Story, isCompletedByTheResult) {
@@ -215,7 +234,7 @@ TEST_F(Story, isCompletedByTheResult) {
   result.outcome = AlignResult::SUCCESS;
   result.candidates = stateWith({{"a", Candidate::UNSURE}}).candidates;
   story_.hear(result);
-  expectInOrder({"what about a?", "answers: don't know", "a plan of 0 steps"});
+  expectInOrder({"what about a?", "answers: don't know", "nothing to do"});
 }
 
 TEST_F(Story, endsWithTheGuarantee) {
@@ -247,7 +266,7 @@ TEST_F(Story, tellsOfANewPlanAndItsStepsFromTheFirst) {
   other.steps.resize(1);
   story_.hearNewPlan(other);
   story_.hearStep(other, 0);
-  expectInOrder({"step 2 of 2: ", "went wrong: step 1 (walk) failed", "a new plan of 1 steps",
+  expectInOrder({"step 2 of 2: ", "went wrong: step 1 (walk) failed", "a new plan of 1 step,",
                  "step 1 of 1: "});
 }
 

@@ -21,7 +21,7 @@ QString cell(const QAbstractItemModel& model, int row, int column) {
 
 TEST(Wording, aFluentIsSpokenWhereItHasAText) {
   EXPECT_EQ(phraseOf(fluent("on", {"a", "b"}, "a is on b")), "a is on b");
-  EXPECT_EQ(phraseOf(fluent("on", {"a", "b"})), "(on a b)");
+  EXPECT_EQ(phraseOf(fluent("on-top-of", {"a", "b"})), "on top of: a, b");
 }
 
 TEST(Wording, pddlIsWhatAnswerUnderstands) {
