@@ -101,7 +101,7 @@ TEST(Usage, WhoeverReadsJsonGetsAnObjectWhateverHappens) {
       {{"plan", domain, problem, "--json", "--fly"}, "--fly"},
       {{"validate", domain, broken, none, "--json"}, broken_place},
       {{"validate", domain, problem, none, "--json"}, none},
-      {{"validate", domain, problem, broken, "--json"}, broken + ":2:2: expected an object"},
+      {{"validate", domain, problem, broken, "--json"}, broken + ":1:9: expected an object"},
       {{"conflicts", dir + "/nowhere", "--json"}, "expected an instance folder"},
       {{"conflicts", dir + "/empty/below", "--json"}, "expected an instance folder"},
       {{"conflicts", "--json"}, "DIR is required"},
