@@ -11,7 +11,8 @@
 namespace goal_alignment::execution {
 namespace {
 
-constexpr double kLongest = 3600;  // seconds
+constexpr double kLongest = 3600;         // seconds
+constexpr double kShortestPeriod = 0.01;  // seconds
 constexpr int kMostReplans = 1000;
 constexpr double kLowestRate = 1;     // Hz
 constexpr double kHighestRate = 200;  // Hz
@@ -44,6 +45,8 @@ ExecutorOptions ExecutorOptions::read(const XmlRpc::XmlRpcValue& values, const s
   reader.read("cancel_patience", options.cancel_patience, 0, kLongest);
   const std::size_t wall = static_cast<std::size_t>(ClockKind::Wall);
   options.clock = static_cast<ClockKind>(reader.readChoice("clock", {"wall", "ros"}, wall));
+  // The library that keeps the period reads it itself.
+  reader.read("diagnostic_period", options.diagnostic_period, kShortestPeriod, kLongest);
   reader.read("servers_patience", options.servers_patience, 0, kLongest);
   reader.read("step_duration", options.step_duration, 0, kLongest);
   reader.read("failure_probability", options.failure_probability, 0, 1);

@@ -5,6 +5,7 @@
 
 #include "aligner_calls.h"
 #include "frames.h"
+#include "graph.h"
 #include "plan_runs.h"
 
 namespace goal_alignment::test {
@@ -178,6 +179,7 @@ rules:
   writeText(file("domain"), domain);
   const Parameter rules("tf_facts", file("rules.yaml"));
   const Parameter patience("tf_patience", kPatience);
+  ASSERT_TRUE(eventually([] { return reachesUs("/plan_executor", "/rosout"); }));
   const ExecutePlanResult result = run(alignedPlan());
   EXPECT_EQ(result.outcome, ExecutePlanResult::SUCCESS) << result.reason;
   const auto said = log_.waitFor([](const rosgraph_msgs::Log& line) {

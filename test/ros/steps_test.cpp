@@ -184,8 +184,7 @@ TEST_F(Steps, areNotBegunWhereALaterOneHasNoServer) {
   FakeBase base(node_);
   setMapping(std::string(kGo) + R"yaml(
   grasp: {kind: action, name: /move_bsae, type: move_base_msgs/MoveBase, server_patience: 0.3,
-          failure_facts: ["(not (has {what}))"]
-}
+          failure_facts: ["(not (has {what}))"]}
   open: {kind: service, name: /plan_executor/get_logers, type: std_srvs/Trigger, server_patience: 0.3}
 )yaml");
   const Plan plan = planOf({kGoToKitchen, {"grasp", {{"what", "cup"}}}, {"open", {}}});

@@ -24,6 +24,7 @@ struct ExecutorOptions {
   int max_replans = 3;        ///< 0 … 1000 for a goal
   double cancel_patience = 5;  ///< seconds, 0 … 3600, that a cancelled step may take to stop
   ClockKind clock = ClockKind::Wall;  ///< of time-outs and durations of steps
+  double diagnostic_period = 1;  ///< seconds of wall time, 0.01 … 3600; read at the start alone
   double servers_patience = 3;  ///< seconds, 0 … 3600, for which all that steps need may be missing
 
   // Of simulated steps.
