@@ -256,10 +256,10 @@ void AlignmentRunner::beginPatience() {
   open_until_ = Clock::time_point::max();
   if (kept_.options.ask_timeout > 0) {
     const std::chrono::duration<double> timeout(kept_.options.ask_timeout);
-    open_until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
     // People live in wall time, also where the robot's clock is a simulated one.
     const ros::WallTime expires = ros::WallTime::now() + ros::WallDuration(timeout.count());
     open_.expires = {expires.sec, expires.nsec};
+    open_until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
   }
 }
 

@@ -34,12 +34,15 @@ TEST_F(PlanWatchTest, nobodyWaitsForAnExecutorThatWasNeverHeard) {
 }
 
 TEST_F(PlanWatchTest, goalsThatHaveNotEndedKeepItBusy) {
-  for (const int status : {GoalStatus::PENDING, GoalStatus::ACTIVE, GoalStatus::PREEMPTING}) {
+  const std::vector<int> busy = {GoalStatus::PENDING, GoalStatus::ACTIVE, GoalStatus::PREEMPTING};
+  for (const int status : busy) {
     watch_.hear({goal("old", GoalStatus::SUCCEEDED), goal("new", status)});
     EXPECT_EQ(watch_.standing(), Standing::Busy) << status;
   }
-  for (const int status : {GoalStatus::SUCCEEDED, GoalStatus::ABORTED, GoalStatus::PREEMPTED,
-                           GoalStatus::REJECTED, GoalStatus::RECALLING, GoalStatus::RECALLED}) {
+  const std::vector<int> over = {GoalStatus::SUCCEEDED, GoalStatus::ABORTED,
+                                 GoalStatus::PREEMPTED, GoalStatus::REJECTED,
+                                 GoalStatus::RECALLING, GoalStatus::RECALLED};
+  for (const int status : over) {
     watch_.hear({goal("new", status)});
     EXPECT_EQ(watch_.standing(), Standing::Idle) << status;
   }
