@@ -279,8 +279,9 @@ bool AlignerNode::setHumanFacts(SetFacts::Request& request, SetFacts::Response& 
 bool AlignerNode::forgetFacts(std_srvs::Trigger::Request& /*request*/,
                               std_srvs::Trigger::Response& response) {
   response.success = 1;
-  response.message = fmt::format("{} facts are forgotten: what is so stands in the problem files",
-                                 facts_.forget());
+  response.message = fmt::format(
+      "all facts that were set are forgotten ({}): what is so stands in the problem files",
+      facts_.forget());
   bridge_.nudge();
   return true;
 }
