@@ -120,7 +120,6 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
       explain_spinner_(kExplainThreads, &explain_callbacks_),
       facts_spinner_(1, &facts_callbacks_) {
   checkParameters();
-  tellOfLostTask();
   if (!news_.empty()) {
     news_timer_ = private_node_.createWallTimer(ros::WallDuration(kNewsPeriod),
                                                 [this](const ros::WallTimerEvent&) { tellNews(); });
@@ -137,11 +136,12 @@ void AlignerNode::nudgeSolver() {
 }
 
 // A faulty parameter is told at the start, though only the next goal would be refused for it. And
-// the rules of tf count from now on, so that ~get_facts can tell of them.
+// the rules of tf and the facts kept count from now on, so that ~get_facts can tell of them.
 void AlignerNode::checkParameters() {
   try {
     const NodeOptions options = NodeOptions::read(private_node_);
     takeUpKeptFacts(options);
+    if (options.journal_expiry > 0) tellOfLostTask();
     tf_.follow(rulesOf(options.tf_facts));
   } catch (const ParameterError& error) {
     ROS_ERROR("%s", error.what());
@@ -294,8 +294,9 @@ bool AlignerNode::setHumanFacts(SetFacts::Request& request, SetFacts::Response& 
 bool AlignerNode::forgetFacts(std_srvs::Trigger::Request& /*request*/,
                               std_srvs::Trigger::Response& response) {
   response.success = 1;
-  response.message = fmt::format("{} facts are forgotten: what is so stands in the problem files",
-                                 facts_.forget());
+  response.message = fmt::format(
+      "all facts that were set are forgotten ({}): what is so stands in the problem files",
+      facts_.forget());
   bridge_.nudge();
   return true;
 }

@@ -112,23 +112,21 @@ std::optional<FactFile::Kept> FactFile::read(const FactScope& scope, double expi
   const auto age = secondsNow() - entry.at("sec").get<std::int64_t>();
   kept.age = static_cast<double>(std::max<std::int64_t>(age, 0));  // a clock may be set back
   const std::string changed = changedOf(scope, entry.at("models").get<std::vector<std::string>>());
-  const std::string which =
-      fmt::format("{} facts that were set before the restart, the last {} ago", kept.facts.size(),
-                  spokenAge(kept.age));
+  const std::string which = fmt::format(
+      "facts from before the restart ({} of the robot's world, {} of what the person believes; the "
+      "last was set {} ago)",
+      kept.facts.robot().size(), kept.facts.human().size(), spokenAge(kept.age));
   if (entry.at("world") != scope.world)
-    return Kept{{}, kept.age, which + ", are left out: they are of another world"};
+    return Kept{{}, kept.age, which + " are left out: they are of another world"};
   if (!changed.empty()) {
-    complain_(fmt::format("{}, are left out, since these have changed: {}", which, changed));
+    complain_(fmt::format("{} are left out, since these have changed: {}", which, changed));
     return std::nullopt;
   }
   if (kept.age > expiry) {
-    complain_(fmt::format("{}, are left out: facts_expiry is {} s", which, expiry));
+    complain_(fmt::format("{} are left out: facts_expiry is {} s", which, expiry));
     return std::nullopt;
   }
-  kept.line = fmt::format(
-      "{} facts that were set before the restart hold again, {} of them about what the person "
-      "believes; the last was set {} ago",
-      kept.facts.size(), kept.facts.human().size(), spokenAge(kept.age));
+  kept.line = which + " hold again";
   return kept;
 }
 

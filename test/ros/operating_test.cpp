@@ -208,12 +208,8 @@ class Robot {
            eventually([this] { return questions_.last().has_value(); });
   }
 
-  // For a person of its own: what Ann answered holds for every robot that she asks the same of.
-  void send() {
-    AlignGoal goal = sweepBothRooms();
-    goal.task.person = "the person of " + ns_;
-    align_.sendGoal(goal);
-  }
+  // Ann asks the same of both; what she answered one of them is no answer to the other.
+  void send() { align_.sendGoal(sweepBothRooms()); }
 
   AlignResult result() {
     EXPECT_TRUE(waitForEnd(align_));

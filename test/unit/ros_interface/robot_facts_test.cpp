@@ -267,7 +267,7 @@ TEST_F(KeptRobotFacts, holdAgainAfterARestartAndSaySoOnce) {
   const auto after = file();
   RobotFacts again(after.get());
   const std::string line = again.follow(scope(), 60);
-  EXPECT_EQ(line.find("2 facts that were set before the restart hold again, 1 of them about"), 0U)
+  EXPECT_EQ(line.find("facts from before the restart (1 of the robot's world, 1 of what"), 0U)
       << line;
   EXPECT_EQ(again.follow(scope(), 60), "");
   again.beginSession("one", true);
