@@ -38,6 +38,7 @@ void tellEnd(const goal_alignment::AlignmentState& end, OutcomeWatch& ends,
   terminal.write("\n" + end.message + "\n");
   if (end.alternatives.empty()) return;
   const auto chosen = dialogue.choose(end.alternatives, [&] { return ends.isGone(end); });
+  if (!chosen && !ends.isGone(end) && !dialogue.hasEnded()) terminal.write("So it is left.\n");
   if (chosen && !ends.takeUp(end, end.alternatives.at(*chosen), end.person))
     terminal.write(phrases.say("ask_nobody_goes_on") + "\n");
 }

@@ -165,7 +165,7 @@ void SpeechDialogue::tellEnd(const AlignmentState& end) {
   const IsOver is_over = [&] { return !ros::ok() || isQuestionWaiting() || ends_.isGone(end); };
   if (!end.alternatives.empty() && vocabulary_.atEnd() != nullptr) {
     offerAlternatives(end, is_over);
-  } else if (say(end.message, is_over) && end.outcome == AlignResult::SUCCESS) {
+  } else if (speak(end.message, is_over) && end.outcome == AlignResult::SUCCESS) {
     tellPlan(end, is_over);
   }
   deafen();
@@ -181,7 +181,9 @@ void SpeechDialogue::tellPlan(const AlignmentState& end, const IsOver& is_over) 
     lock.unlock();
     plan = ends_.takePlan(end);
   }
-  if (plan) say(phrasing::spokenPlan(*vocabulary_.atEnd(), plan->step_texts), is_over);
+  const std::string steps =
+      plan ? phrasing::spokenPlan(*vocabulary_.atEnd(), plan->step_texts) : std::string();
+  if (!steps.empty()) speak(steps, is_over);
 }
 
 void SpeechDialogue::offerAlternatives(const AlignmentState& end, const IsOver& is_over) {
@@ -203,7 +205,7 @@ void SpeechDialogue::offerAlternatives(const AlignmentState& end, const IsOver& 
       ROS_WARN("nobody takes up what was chosen");
       return;
     }
-    say(turn.say, [] { return !ros::ok(); });
+    if (!turn.say.empty()) speak(turn.say, [] { return !ros::ok(); });
     return;
   }
 }
@@ -211,6 +213,13 @@ void SpeechDialogue::offerAlternatives(const AlignmentState& end, const IsOver& 
 // Speaks to the end, then listens; an empty text goes on listening. False where it is over.
 bool SpeechDialogue::say(const std::string& text, const IsOver& is_over) {
   if (text.empty()) return !is_over();
+  const bool goes_on = speak(text, is_over);
+  listen();
+  return goes_on;
+}
+
+// Deaf, and stays so.
+bool SpeechDialogue::speak(const std::string& text, const IsOver& is_over) {
   deafen();
   const bool aloud = startSpeaking(text);
   const auto cut_off = after(options_.say_timeout);
@@ -228,7 +237,6 @@ bool SpeechDialogue::say(const std::string& text, const IsOver& is_over) {
         fmt::format("{} ended with status {}", options_.say_command.front(), speech_.lastStatus()));
   speech_.stop();
   if (aloud) awaitWords(after(options_.echo_time), is_over);  // deaf, it hears nothing
-  listen();
   return !is_over();
 }
 

@@ -7,6 +7,7 @@
 #include <ros/this_node.h>
 
 #include <atomic>
+#include <boost/make_shared.hpp>
 #include <chrono>
 #include <exception>
 #include <mutex>

@@ -74,9 +74,10 @@ void OutcomeCard::show(const AlignmentState& state) {
   const QString headline = phaseLine(state);
   headline_->say(headline);
   const QString message = sentence(QString::fromStdString(state.message));
-  // Where there is a conflict, the message says the same in one long sentence.
-  const bool says_more =
-      state.conflict.empty() && message.compare(headline, Qt::CaseInsensitive) != 0;
+  // Where there is a conflict, the message says the same in one long sentence, and what would
+  // decide.
+  const bool says_more = (state.conflict.empty() || state.outcome == AlignResult::UNSURE_BLOCKS) &&
+                         message.compare(headline, Qt::CaseInsensitive) != 0;
   message_->say(says_more ? message : QString());
   setToolTip(message);
   conflict_->say(conflictText(state.conflict));

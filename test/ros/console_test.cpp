@@ -90,10 +90,11 @@ TEST_F(Console, takesNoAndRepromptsOnRubbish) {
   ASSERT_TRUE(terminal_.shows("for Ann")) << terminal_.shown();
   ASSERT_TRUE(terminal_.shows("Why I ask:")) << terminal_.shown();
   ASSERT_TRUE(terminal_.shows("> "));
-  terminal_.type("perhaps\n");
-  ASSERT_TRUE(terminal_.shows("did not understand 'perhaps'")) << terminal_.shown();
+  terminal_.type("bananas\n");
+  ASSERT_TRUE(terminal_.shows("did not understand 'bananas'")) << terminal_.shown();
   terminal_.type("\n");
-  ASSERT_TRUE(terminal_.shows("did not understand ''")) << terminal_.shown();
+  ASSERT_TRUE(terminal_.shows("Question 1")) << "Enter shows it again" << terminal_.shown();
+  ASSERT_TRUE(terminal_.shows("> "));
   terminal_.type("No\n");
   const AlignResult result = awaitResult();
   EXPECT_EQ(result.outcome, AlignResult::SUCCESS) << result.message;
@@ -109,8 +110,37 @@ TEST_F(Console, takesYesDontKnowAndDecline) {
     sendAndAwaitQuestion(sweepHall());
     ASSERT_TRUE(terminal_.shows("> ")) << terminal_.shown();
     terminal_.type(reply);
-    EXPECT_EQ(awaitResult().outcome, outcome) << reply;
+    const AlignResult result = awaitResult();
+    EXPECT_EQ(result.outcome, outcome) << reply;
+    if (result.alternatives.empty()) continue;
+    ASSERT_TRUE(terminal_.shows("Go on without")) << terminal_.shown();
+    ASSERT_TRUE(terminal_.shows("> ")) << terminal_.shown();
+    terminal_.type("none\n");
+    ASSERT_TRUE(terminal_.shows("So it is left")) << terminal_.shown();
   }
+}
+
+TEST_F(Console, takesWhatOneSays) {
+  for (const char* reply : {"no, it does not matter\n", "I don't care\n", "of course not\n"}) {
+    sendAndAwaitQuestion(sweepHall());
+    ASSERT_TRUE(terminal_.shows("Question 1")) << terminal_.shown();
+    ASSERT_TRUE(terminal_.shows("> ")) << terminal_.shown();
+    terminal_.type(reply);
+    EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS) << reply;
+  }
+}
+
+TEST_F(Console, goesOnWithTheAlternativeThatIsChosen) {
+  sendAndAwaitQuestion(sweepHall());
+  ASSERT_TRUE(terminal_.shows("> ")) << terminal_.shown();
+  terminal_.type("yes\n");
+  EXPECT_EQ(awaitResult().outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
+  ASSERT_TRUE(terminal_.shows("Go on without this")) << terminal_.shown();
+  ASSERT_TRUE(terminal_.shows("> ")) << terminal_.shown();
+  terminal_.type("yes please\n");
+  EXPECT_TRUE(states_.waitFor([](const AlignmentState& state) {
+    return state.phase == AlignmentState::DONE && state.outcome == AlignResult::SUCCESS;
+  }));
 }
 
 TEST_F(Console, takesTheNumbersOfThoseOfAGroupThatMatter) {

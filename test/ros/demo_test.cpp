@@ -57,6 +57,8 @@ TEST(Demo, tellsTheTaskTheBreakTheQuestionsTheStepsAndTheGuarantee) {
   expectInOrder(run, {"The task, from ", "Where this plan breaks for the robot: ",
                       "The robot asks: ", "  Its reason: ", " answers: ",
                       "The robot has a plan of ", "  step 1 of ", "\nGuaranteed: "});
+  EXPECT_EQ(count(run.output, "The robot asks: "), 3U) << run.output;
+  EXPECT_EQ(count(run.output, "Ada answers: "), 3U) << run.output;
 }
 
 TEST(Demo, failsForATaskThatCannotBe) {

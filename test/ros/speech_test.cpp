@@ -236,6 +236,42 @@ TEST_F(Speech, asksAgainAfterSilenceAndThenOnlyListens) {
   EXPECT_EQ(awaitResult().outcome, AlignResult::SUCCESS);
 }
 
+TEST_F(Speech, saysThatItHasAPlanAndListensNoMore) {
+  start();
+  sendAndAwaitQuestion(sweepHall());
+  EXPECT_TRUE(speakUntil("whatever", [this] { return isOver(); }));
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::SUCCESS);
+  EXPECT_TRUE(says(result.message));
+  EXPECT_TRUE(says("It is one step: "));
+  EXPECT_TRUE(isNotListenedTo("no"));
+}
+
+TEST_F(Speech, takesUpTheAlternativeThatIsSaid) {
+  start();
+  sendAndAwaitQuestion(sweepHall());
+  EXPECT_TRUE(speakUntil("yeah sure", [this] { return isOver(); }));
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
+  EXPECT_TRUE(says(result.message + " Shall I do that?"));
+  EXPECT_TRUE(speakUntil("bananas", [this] { return timesSaid("Sorry? ") > 0; }));
+  EXPECT_TRUE(speakUntil("okay, do that", [this] { return timesSaid("All right.") > 0; }));
+  EXPECT_TRUE(states_.waitFor([&](const AlignmentState& state) {
+    return state.session_id == result.session_id && state.phase == AlignmentState::DONE &&
+           state.outcome == AlignResult::SUCCESS;
+  }));
+}
+
+TEST_F(Speech, leavesItWhereNoAlternativeIsWanted) {
+  start();
+  sendAndAwaitQuestion(sweepHall());
+  EXPECT_TRUE(speakUntil("yes", [this] { return isOver(); }));
+  EXPECT_EQ(awaitResult().outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
+  EXPECT_TRUE(says("Shall I do that?"));
+  EXPECT_TRUE(speakUntil("no thanks", [this] { return timesSaid("leave it at that") > 0; }));
+  EXPECT_TRUE(isNotListenedTo("yes"));
+}
+
 TEST_F(Speech, takesNumbersAndNamesForAGroup) {
   const Parameter groups("max_group_size", 2);
   start();

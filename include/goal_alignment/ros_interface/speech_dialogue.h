@@ -61,6 +61,7 @@ class SpeechDialogue {
   void tellPlan(const AlignmentState& end, const IsOver& is_over);
   void offerAlternatives(const AlignmentState& end, const IsOver& is_over);
   bool say(const std::string& text, const IsOver& is_over);
+  bool speak(const std::string& text, const IsOver& is_over);
   bool startSpeaking(const std::string& text);
   void warnOnce(const std::string& fault);
   std::optional<std::string> awaitWords(Clock::time_point until, const IsOver& is_over);

@@ -310,6 +310,117 @@ TEST_F(View, thePlanShowsItsStepInExecution) {
   EXPECT_TRUE(textOf("plan_note").contains("the cup slipped"));
 }
 
+AlignmentState::Ptr withPlan() {
+  auto state = stateWith(3);
+  state->phase = AlignmentState::DONE;
+  state->outcome = AlignResult::SUCCESS;
+  return state;
+}
+
+TEST_F(View, theHeadlineAndThePromiseFollowTheExecution) {
+  show(withPlan());
+  auto plan = planOf(2);
+  plan->kept_unasked = {fluent("dry", {"floor"}, "the floor is dry")};
+  view_.showPlan(plan);
+  EXPECT_TRUE(textOf("status").startsWith("Plan found"));
+  EXPECT_TRUE(textOf("plan_note").contains("Guaranteed: a cup of tea is served"));
+  EXPECT_TRUE(textOf("plan_note").contains("the floor is dry"));
+  view_.beginExecution();
+  ExecutePlanResult failed;
+  failed.outcome = ExecutePlanResult::STEP_FAILED;
+  failed.failed_step = 0;
+  failed.reason = "the cup slipped";
+  failed.plan.plan_id = 1;
+  view_.endExecution(failed);
+  EXPECT_EQ(textOf("status"), "The plan was not carried out");
+  EXPECT_FALSE(textOf("plan_note").contains("Guaranteed"));
+  QSignalSpy again(&view_, &AlignmentView::retried);
+  QApplication::processEvents();
+  click("plan_again");
+  ASSERT_EQ(again.count(), 1);
+  EXPECT_EQ(again[0][0].toString(), "s");
+}
+
+TEST_F(View, aPlanIsCarriedOutOnDemandOnce) {
+  int wanted = 0;
+  QObject::connect(&view_, &AlignmentView::executionWanted, &view_,
+                   [&](const Plan& plan) { wanted = plan.plan_id; });
+  show(withPlan());
+  view_.showPlan(planOf(2));
+  QApplication::processEvents();
+  click("do_it");
+  EXPECT_EQ(wanted, 1);
+  view_.beginExecution();
+  EXPECT_FALSE(isShown("do_it"));
+}
+
+TEST_F(View, whatWasDoneStaysAboveANewPlan) {
+  show(withPlan());
+  view_.showPlan(planOf(3));
+  view_.beginExecution();
+  ExecutePlanFeedback feedback;
+  feedback.plan_id = 1;
+  feedback.step = 1;
+  feedback.status = ActionFeedback::ACTION_FAILED;
+  view_.showExecution(feedback);
+  feedback = ExecutePlanFeedback();
+  feedback.new_plan = *planOf(2);
+  feedback.new_plan.plan_id = 2;
+  view_.showExecution(feedback);
+  auto* model = find<QTableView>("plan")->model();
+  ASSERT_EQ(model->rowCount(), 4);
+  EXPECT_EQ(model->index(0, 0).data().toString(), "✓");
+  EXPECT_EQ(model->index(1, 0).data().toString(), "✗");
+  EXPECT_EQ(model->index(2, 0).data().toString(), "1");
+  feedback = ExecutePlanFeedback();
+  feedback.plan_id = 2;
+  feedback.step = 1;
+  feedback.status = ActionFeedback::ACTION_ENABLED;
+  view_.showExecution(feedback);
+  EXPECT_EQ(textOf("status"), "Carrying out step 2 of 2");
+}
+
+TEST_F(View, noFurtherQuestionsIsAnAnswer) {
+  QSignalSpy answers(&view_, &AlignmentView::answered);
+  ask(questionAbout(7, {fluent("a", {})}));
+  click("decline");
+  ASSERT_EQ(answers.count(), 1);
+  EXPECT_EQ(answers[0][0].toInt(), Answer::Request::DECLINE);
+}
+
+TEST_F(View, tasksThatWaitAreShownAndWithdrawn) {
+  auto state = withPlan();
+  EXPECT_FALSE(isShown("waiting_card"));
+  for (const char* task : {"tea", "dusting"}) {
+    WaitingTask waiting;
+    waiting.task_id = task;
+    waiting.goal_id = std::string("goal of ") + task;
+    state->waiting.push_back(waiting);
+  }
+  show(state);
+  EXPECT_TRUE(isShown("waiting_card"));
+  QSignalSpy withdrawn(&view_, &AlignmentView::withdrawn);
+  QApplication::processEvents();
+  click("withdraw_1");
+  ASSERT_EQ(withdrawn.count(), 1);
+  EXPECT_EQ(withdrawn[0][0].toString(), "goal of dusting");
+  show(withPlan());
+  EXPECT_FALSE(isShown("waiting_card"));
+}
+
+TEST_F(View, theTaskIsTriedAgainWhereThereIsNoPlan) {
+  QSignalSpy again(&view_, &AlignmentView::retried);
+  auto state = withPlan();
+  state->outcome = AlignResult::UNSURE_BLOCKS;
+  state->alternatives.resize(1);
+  state->alternatives[0].given_up = {state->candidates[0].fluent};
+  show(state);
+  EXPECT_TRUE(isShown("alternative_0")) << "of this outcome as well";
+  click("try_again");
+  ASSERT_EQ(again.count(), 1);
+  EXPECT_EQ(again[0][0].toString(), "s");
+}
+
 TEST_F(View, theEndOfADisplacedPlanIsForgottenWhenTheNewOneGoesOn) {
   show(stateWith(3));
   auto plan = planOf(3);
