@@ -130,7 +130,7 @@ TEST_F(Services, explainWhySomethingIsNotAsked) {
   expectKnown(explain({"(lit c1)"}, kWhyNot), "you don't expect it", {});
   for (const std::string& other : textsOf(first.conflict)) {
     if (other == lamp) continue;
-    expectKnown(explain({other}, kWhyNot), "I did not ask yet", {textsOf(first.conflict)});
+    expectKnown(explain({other}, kWhyNot), "I have not asked yet", {textsOf(first.conflict)});
   }
   expectKnown(explain({}, kWhyNot), "Each step of your plan works for me.", {});
   reply(first, kNo);
@@ -139,7 +139,7 @@ TEST_F(Services, explainWhySomethingIsNotAsked) {
   expectKnown(explain({lamp}, kWhyNot), "answered no by test", {textsOf(first.conflict)});
   expectKnown(explain({"(pair a1 a2)"}, kWhyNot), "can't change what I do. My plan keeps it so.",
               {});
-  expectKnown(explain({}, kWhyNot), "I took another plan", {});
+  expectKnown(explain({}, kWhyNot), "I chose another one", {});
 }
 
 TEST_F(Services, explainWhyTheHumanPlanIsNotFollowed) {
@@ -162,9 +162,9 @@ TEST_F(Services, explainWhatWouldFollow) {
   expectKnown(explain({"(not (lit a1))"}, kWhatIf), "If it did not matter that",
               {{"(lit b1)", "(lit b2)"}});
   expectKnown(explain({"(lit a1)", "(not (lit a2))", "(not (lit b1))"}, kWhatIf),
-              "I'd have a plan, of 3 steps.", {});
-  EXPECT_TRUE(contains(explain({"(not (checked))"}, kWhatIf).text, "part of the specified goal"));
-  EXPECT_TRUE(contains(explain({"(lit c1)"}, kWhatIf).text, "outside the state"));
+              "I would have a plan of 3 steps.", {});
+  EXPECT_TRUE(contains(explain({"(not (checked))"}, kWhatIf).text, "You asked for this"));
+  EXPECT_TRUE(contains(explain({"(lit c1)"}, kWhatIf).text, "You don't expect this"));
   EXPECT_FALSE(explain({"(lit a1)", "(not (lit a1))"}, kWhatIf).known);
   EXPECT_EQ(questions_.last()->question_id, first.question_id) << "it is still open";
 
@@ -180,7 +180,7 @@ TEST_F(Services, explainWhatWouldFollow) {
     ros::WallDuration(0.01).sleep();
   }
   EXPECT_EQ(awaitResult().outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
-  expectKnown(explain({"(not (lit a1))", "(not (lit b1))"}, kWhatIf), "I'd have a plan", {});
+  expectKnown(explain({"(not (lit a1))", "(not (lit b1))"}, kWhatIf), "I would have a plan", {});
   expectKnown(explain({"(lit a1)", "(lit a2)"}, kWhatIf), "I could not do it.",
               {{"(lit a1)", "(lit a2)"}});
 }
