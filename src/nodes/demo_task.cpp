@@ -26,8 +26,8 @@
 #include "goal_alignment/ros_interface/node_constants.h"
 #include "goal_alignment/ros_interface/task_file.h"
 #include "goal_alignment/ros_interface/task_story.h"
-#include "goal_alignment/ros_interface/vocabulary_file.h"
 #include "goal_alignment/ros_interface/utf8_log.h"
+#include "goal_alignment/ros_interface/vocabulary_file.h"
 
 namespace {
 

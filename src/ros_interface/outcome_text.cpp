@@ -67,7 +67,8 @@ std::string planFault(const session::Outcome& outcome, const phrasing::Phrases& 
   return phrasing::planMisses(phrases, outcome.missing, !human_plan.empty());
 }
 
-// What there could be instead is not part of it, but with EXPECTATION_UNACHIEVABLE and UNSURE_BLOCKS.
+// What there could be instead is not part of it, but with EXPECTATION_UNACHIEVABLE and
+// UNSURE_BLOCKS.
 std::string ending(const session::Outcome& outcome, const Snapshot& last,
                    const phrasing::Phrases& phrases, const std::vector<GroundName>& human_plan) {
   std::string text;

@@ -268,8 +268,8 @@ void TaskStory::tellOtherAnswers() {
   for (const Candidate& candidate : state_.candidates) {
     if (!isAnswered(candidate) || isIn(asked_about_, candidate.fluent)) continue;
     asked_about_.push_back(candidate.fluent);
-    tellBelow("story_also_answered", {person_, joined({candidate.fluent}),
-                                      phrases_.say(nameOfAnswer(candidate.state))});
+    tellBelow("story_also_answered",
+              {person_, joined({candidate.fluent}), phrases_.say(nameOfAnswer(candidate.state))});
   }
 }
 

@@ -53,9 +53,9 @@
 ///       plan: "{0} steps: first {1}, last {2}."    # the number of steps, what the first and last
 ///       is plan_of_one: "I do this: {0}."
 ///
-/// Case, accents, punctuation and apostrophes do not count, and `ß` is `ss`. What is heard may consist
-/// of several of these texts, the longest at each place, as long as all mean the same: "no, it
-/// doesn't matter".
+/// Case, accents, punctuation and apostrophes do not count, and `ß` is `ss`. What is heard may
+/// consist of several of these texts, the longest at each place, as long as all mean the same: "no,
+/// it doesn't matter".
 namespace goal_alignment::phrasing {
 
 /// What was understood of what a person said.

@@ -69,8 +69,8 @@ TEST(OutcomeText, whatCouldBeHadInsteadIsSaidWheneverThereIsSomething) {
   EXPECT_NE(text.find(offer), std::string::npos) << text;
   session::Outcome declined = outcomeWith(OutcomeCode::Declined, {});
   declined.alternatives = {unsure.alternatives[0]};
-  EXPECT_EQ(spoken(declined),
-            "I was to ask no more questions, so I left it undecided. " + phrases.alternatives({unsure.alternatives[0].given_up}));
+  EXPECT_EQ(spoken(declined), "I was to ask no more questions, so I left it undecided. " +
+                                  phrases.alternatives({unsure.alternatives[0].given_up}));
 }
 
 TEST(OutcomeText, everyEndOfADialogueHasWords) {
