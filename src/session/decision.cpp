@@ -107,7 +107,7 @@ bool Session::Implementation::concludeNoPlan() {
   outcome.code = OutcomeCode::ExpectationUnachievable;
   // The way to the alternatives may bring to light that less than the conflict is one.
   const CandidateSet within = conflict->members;
-  outcome.alternatives = alternatives();
+  outcome.alternatives = alternativesAfter(outcome.code);
   blame(outcome, *robot().smallConflictWithin(within, limits()));
   outcome.message =
       "proven: no plan achieves what was asked for together with " + listed(outcome.conflict);

@@ -403,7 +403,7 @@ void Session::Implementation::finish(Outcome outcome) {
   // A cancel is used up by the outcome it brings about: the session can go on after it.
   if (outcome.code == OutcomeCode::Canceled) cancel_.reset();
   if (outcome.code == OutcomeCode::BudgetLimit) outcome.message += "; more time would not help";
-  outcome.alternatives = alternativesAfter(outcome.code);
+  if (outcome.alternatives.empty()) outcome.alternatives = alternativesAfter(outcome.code);
   outcome_ = std::move(outcome);
   if (!conflicts_ended_.empty()) outcome_.message += "; " + conflicts_ended_;
   ends_unsure_ = false;
