@@ -90,6 +90,7 @@ ConsoleDialogue::ConsoleDialogue(ros::NodeHandle node, int input, PromptedTermin
       phrases_(std::move(phrases)),
       lines_(input, wake_pipe_.ends[0]),
       watch_(node, [this] { wake(); }),
+      diagnostics_(node, ros::NodeHandle("~")),
       service_(node.advertiseService(kAskHumanService, &ConsoleDialogue::ask, this)) {}
 
 void ConsoleDialogue::wake() const {
@@ -98,6 +99,7 @@ void ConsoleDialogue::wake() const {
 }
 
 bool ConsoleDialogue::ask(AskHuman::Request& request, AskHuman::Response& response) {
+  const DialogueDiagnostics::Turn turn(diagnostics_, request, response);
   response.answer = AskHuman::Response::NONE;
   const Question& question = request.question;
   if (question.question_id == 0) return true;  // no question: there is nothing to wait for

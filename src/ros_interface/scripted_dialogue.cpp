@@ -90,7 +90,7 @@ AskHuman::Response answerFor(const Question& question, const TrueGoal& true_goal
 }
 
 ScriptedDialogue::ScriptedDialogue(ros::NodeHandle node, const ros::NodeHandle& private_node)
-    : watch_(node) {
+    : watch_(node), diagnostics_(node, private_node) {
   XmlRpc::XmlRpcValue values;
   private_node.getParam(private_node.getNamespace(), values);
   ParameterReader(values, private_node.getNamespace()).read("delay", delay_, 0, kLongestDelay);
@@ -107,6 +107,7 @@ ScriptedDialogue::ScriptedDialogue(ros::NodeHandle node, const ros::NodeHandle& 
 }
 
 bool ScriptedDialogue::ask(AskHuman::Request& request, AskHuman::Response& response) {
+  const DialogueDiagnostics::Turn turn(diagnostics_, request, response);
   const Question& question = request.question;
   response.answer = AskHuman::Response::NONE;
   response.question_id = question.question_id;

@@ -55,6 +55,7 @@ SpeechDialogue::SpeechDialogue(ros::NodeHandle node, ros::NodeHandle private_nod
       vocabulary_(vocabularyOf(options_.vocabulary)),
       said_(private_node.advertise<std_msgs::String>(kSaidTopic, kQueueSize)),
       watch_(node, [this] { changed_.notify_all(); }),
+      diagnostics_(node, private_node),
       ends_(node, [this] { changed_.notify_all(); }),
       listener_(1, &recognitions_) {
   for (const std::string& key : options_.unknown)
@@ -67,6 +68,7 @@ SpeechDialogue::SpeechDialogue(ros::NodeHandle node, ros::NodeHandle private_nod
 }
 
 bool SpeechDialogue::ask(AskHuman::Request& request, AskHuman::Response& response) {
+  const DialogueDiagnostics::Turn turn(diagnostics_, request, response);
   response.answer = AskHuman::Response::NONE;
   if (request.question.question_id == 0) return true;  // no question: there is nothing to wait for
   std::vector<Literal> fluents;
@@ -191,8 +193,7 @@ void SpeechDialogue::offerAlternatives(const AlignmentState& end, const IsOver& 
   for (const AlternativeGoal& alternative : end.alternatives)
     offered.push_back(leftOutBy(alternative));
   // Then the message ends with them.
-  const bool lists_them = end.outcome == AlignResult::EXPECTATION_UNACHIEVABLE &&
-                          offered.size() <= phrasing::kSpokenAlternatives;
+  const bool lists_them = offered.size() <= phrasing::kSpokenAlternatives;
   phrasing::SpokenChoice spoken(vocabulary_, end.message, lists_them, offered, options_.retries);
   phrasing::SpokenChoice::Turn turn{false, std::nullopt, spoken.asked()};
   while (say(turn.say, is_over)) {

@@ -25,7 +25,7 @@ constexpr std::uint64_t kBeliefStates = 2'000;
 constexpr std::uint64_t kPaperBeliefStates = 100'000;
 
 /// This share of the time limit is not spent on finding all conflicts.
-constexpr double kShareOfDialogue = 0.5;
+constexpr double kShareOfDialogue = 0.75;
 
 /// A dialogue that does not wait for all conflicts does not wait long for proofs, either.
 constexpr std::uint64_t kLazySteps = 5'000'000;

@@ -20,6 +20,7 @@
 #include "goal_alignment/phrasing/vocabulary.h"
 #include "goal_alignment/ros_interface/line_reader.h"
 #include "goal_alignment/ros_interface/prompted_terminal.h"
+#include "goal_alignment/ros_interface/dialogue_diagnostics.h"
 #include "goal_alignment/ros_interface/question_watch.h"
 
 namespace goal_alignment::ros_interface {
@@ -98,6 +99,7 @@ class ConsoleDialogue {
   Clock::time_point shown_at_;
 
   QuestionWatch watch_;
+  DialogueDiagnostics diagnostics_;
   ros::ServiceServer service_;
 };
 

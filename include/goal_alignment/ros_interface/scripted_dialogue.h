@@ -10,6 +10,7 @@
 
 #include "goal_alignment/AskHuman.h"
 #include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/ros_interface/dialogue_diagnostics.h"
 #include "goal_alignment/ros_interface/question_watch.h"
 
 namespace goal_alignment::ros_interface {
@@ -37,6 +38,7 @@ class ScriptedDialogue {
   TrueGoal true_goal_;
   double delay_ = 0;
   QuestionWatch watch_;
+  DialogueDiagnostics diagnostics_;
   ros::ServiceServer service_;
 };
 

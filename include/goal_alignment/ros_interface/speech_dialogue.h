@@ -24,6 +24,7 @@
 #include "goal_alignment/phrasing/spoken_question.h"
 #include "goal_alignment/phrasing/vocabulary.h"
 #include "goal_alignment/ros_interface/outcome_watch.h"
+#include "goal_alignment/ros_interface/dialogue_diagnostics.h"
 #include "goal_alignment/ros_interface/question_watch.h"
 #include "goal_alignment/ros_interface/speech_options.h"
 #include "goal_alignment/ros_interface/speech_process.h"
@@ -90,6 +91,7 @@ class SpeechDialogue {
   ros::CallbackQueue recognitions_;
   ros::Subscriber recognised_;
   QuestionWatch watch_;
+  DialogueDiagnostics diagnostics_;
   OutcomeWatch ends_;
   ros::ServiceServer service_;
   ros::AsyncSpinner listener_;
