@@ -72,7 +72,8 @@ std::optional<Explain::Response> AlignmentRunner::suppose(const std::vector<Lite
   if (consequence.kind == session::Consequence::Kind::Unknown) {
     // What is given up before its time is out does not become known by being tried again.
     const std::chrono::duration<double> took = Clock::now() - began;
-    return took.count() < kSupposeSeconds ? std::make_optional(notKnownYet()) : std::nullopt;
+    return took.count() < kSupposeSeconds ? std::make_optional(notKnownYet(kept_.phrases))
+                                          : std::nullopt;
   }
   return explainConsequence(supposed, consequence, kept_.session->snapshot(), kept_.phrases);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/ros_interface/supposition.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -94,9 +96,9 @@ Explain::Response explainConsequence(const Supposition& supposed, const Conseque
   return response;
 }
 
-Explain::Response notKnownYet() {
+Explain::Response notKnownYet(const phrasing::Phrases& phrases) {
   Explain::Response response;
-  response.text = "Not known yet.";
+  response.text = phrases.say("explain_unknown");
   return response;
 }
 

@@ -38,7 +38,7 @@ Explain::Response explainConsequence(const Supposition& supposed,
                                      const phrasing::Phrases& phrases);
 
 /// What is said where nothing else can be.
-Explain::Response notKnownYet();
+Explain::Response notKnownYet(const phrasing::Phrases& phrases);
 
 /// Suppositions on their way to the solver thread, which alone can think about them, and back.
 /// Thread-safe.

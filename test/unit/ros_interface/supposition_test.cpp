@@ -114,7 +114,7 @@ TEST(SuppositionQueue, whatTheSolverFailsAtIsToldAndTheNextIsAnswered) {
   auto next = ask("(b)");
   while (queue.empty())
     std::this_thread::yield();
-  queue.answerOne([](const std::vector<Literal>&) { return notKnownYet(); });
+  queue.answerOne([](const std::vector<Literal>&) { return notKnownYet({}); });
   EXPECT_EQ(next.get()->text, "Not known yet.");
 }
 
