@@ -17,6 +17,8 @@ namespace {
 
 using Standing = PlanWatch::Standing;
 
+constexpr unsigned kLateWords = 1;  // of the executor, under way when the task came
+
 AlignResult canceledBeforeItBegan() {
   AlignResult result;
   result.outcome = AlignResult::CANCELED;
@@ -79,14 +81,16 @@ void AlignServer::nudge() {
   changed_.notify_all();
 }
 
-// What waited until it was known whether a plan is carried out, and what that plan is for.
+// What waited until it was known whether a plan is carried out, and what that plan is for. Who
+// knows the end of a plan may send the next task before the executor's word of that end is here.
 void AlignServer::lookAtExecutor() {
   std::vector<Queue::Entry> refused;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!queue_.empty() && watch_.standing() == Standing::Busy) {
       refused = queue_.takeAll([this](const Queue::Entry& entry) {
-        return entry.refused_if_busy || watch_.carriesOut(entry.identity);
+        const bool is_new = watch_.timesHeard() <= entry.heard_before + kLateWords;
+        return !is_new && (entry.refused_if_busy || watch_.carriesOut(entry.identity));
       });
     }
     if (!refused.empty()) showQueue();
@@ -147,16 +151,16 @@ void AlignServer::queueUp(const Ticket& ticket) {
   const bool refuses_if_busy = refuses_if_busy_();  // asks the parameter server
   std::string why_not;
   std::optional<Queue::Entry> replaced;
+  bool may_stay = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const bool is_busy = watch_.standing() == Standing::Busy;
-    if (is_busy && (refuses_if_busy || watch_.carriesOut(ticket->identity()))) {
-      why_not = watch_.story();
-    } else if (queue_.isFull() && !queue_.holds(ticket->identity())) {
+    may_stay = !refuses_if_busy && !watch_.carriesOut(ticket->identity());
+    if (queue_.isFull() && !queue_.holds(ticket->identity())) {
       why_not = fmt::format("{}, and {} tasks wait already", watch_.story(), Queue::kMost);
     } else {
       Queue::Entry entry = entryFor(ticket);
       entry.refused_if_busy = refuses_if_busy;
+      entry.heard_before = watch_.timesHeard();
       replaced = queue_.add(std::move(entry));
       showQueue();
     }
@@ -164,6 +168,7 @@ void AlignServer::queueUp(const Ticket& ticket) {
   changed_.notify_all();
   if (!why_not.empty()) return refuse(ticket, why_not);
   if (replaced) end(replaced->ticket, "displaced by a newer goal");
+  if (!may_stay) return;
   announcer_.tell(
       fmt::format("task {}waits: {}",
                   ticket->goal().task.task_id.empty() ? "" : ticket->goal().task.task_id + " ",

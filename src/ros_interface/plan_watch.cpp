@@ -37,6 +37,7 @@ void PlanWatch::giveOut(GivenOut plan) {
 void PlanWatch::hear(const std::vector<GoalStatus>& goals) {
   const std::lock_guard<std::mutex> lock(mutex_);
   heard_ = now_();
+  ++times_heard_;
   std::set<std::string> known;
   active_goal_.clear();
   for (const GoalStatus& goal : goals) {
@@ -62,6 +63,11 @@ PlanWatch::Standing PlanWatch::standingAt(Clock::time_point now) const {
 PlanWatch::Standing PlanWatch::standing() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return standingAt(now_());
+}
+
+unsigned PlanWatch::timesHeard() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return times_heard_;
 }
 
 PlanWatch::Clock::time_point PlanWatch::nextChange() const {

@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(
         HomeTask{"lay_table",
                  1,
                  {"the tray of crystal glasses is on the dining table?", "Ada answers: no",
-                  "The robot has a plan of 15 steps", "step 1 of 15: open the dining room door",
+                  "The robot has a plan of 16 steps", "step 1 of 16: open the dining room door",
                   "Something went wrong: ",
                   "The robot has a new plan of 25 steps, under the same answers"}}),
     [](const auto& home_task) { return home_task.param.name; });

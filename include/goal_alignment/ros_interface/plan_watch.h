@@ -42,6 +42,8 @@ class PlanWatch {
   void hear(const std::vector<actionlib_msgs::GoalStatus>& goals);
 
   Standing standing() const;
+  /// How often the executor was heard.
+  unsigned timesHeard() const;
   /// When the standing may change although nothing more is heard; the largest time point: never.
   Clock::time_point nextChange() const;
   /// Whether the plan being carried out is one for this task.
@@ -57,6 +59,7 @@ class PlanWatch {
   const std::function<Clock::time_point()> now_;
   mutable std::mutex mutex_;  // guards all below
   std::optional<Clock::time_point> heard_;
+  unsigned times_heard_ = 0;
   std::set<std::string> known_goals_;
   std::string active_goal_;  // empty: none
   std::optional<GivenOut> last_;

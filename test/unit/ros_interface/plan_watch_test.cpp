@@ -72,6 +72,13 @@ TEST_F(PlanWatchTest, aPlanThatWentOutMayBeginAnyMoment) {
   EXPECT_EQ(watch_.standing(), Standing::Idle) << "it is not expected a second time";
 }
 
+TEST_F(PlanWatchTest, countsWhatItHears) {
+  EXPECT_EQ(watch_.timesHeard(), 0U);
+  watch_.hear({});
+  watch_.hear({goal("g", GoalStatus::ACTIVE)});
+  EXPECT_EQ(watch_.timesHeard(), 2U);
+}
+
 TEST_F(PlanWatchTest, aPlanWithoutStepsMayBeOverBeforeItIsSeen) {
   watch_.hear({});
   giveOut(1, "a");
