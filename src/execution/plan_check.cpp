@@ -63,9 +63,9 @@ std::string faultOf(const Plan& plan) {
   if (plan.steps.empty() && plan.plan_id == 0) return "this is no plan: plan_id is 0";
   for (std::size_t index = 0; index < plan.steps.size(); ++index) {
     const ActionDispatch& step = plan.steps[index];
-    if (step.name.empty()) return fmt::format("step {} has no name", index);
+    if (step.name.empty()) return fmt::format("step {} has no name", index + 1);
     if (step.action_id != static_cast<int>(index)) {
-      return fmt::format("step {} has action_id {}, expected its index", index, step.action_id);
+      return fmt::format("step {} has action_id {}, expected {}", index + 1, step.action_id, index);
     }
   }
   try {

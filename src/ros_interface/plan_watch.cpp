@@ -29,7 +29,9 @@ PlanWatch::PlanWatch(std::function<Clock::time_point()> now) : now_(std::move(no
 void PlanWatch::giveOut(GivenOut plan) {
   const std::lock_guard<std::mutex> lock(mutex_);
   last_ = std::move(plan);
-  undecided_since_ = now_();
+  const auto now = now_();
+  // One that is at work has asked for the plan itself, and goes on with it under the same goal.
+  if (standingAt(now) != Standing::Busy) undecided_since_ = now;
 }
 
 void PlanWatch::hear(const std::vector<GoalStatus>& goals) {

@@ -126,7 +126,8 @@ TEST_F(Steps, dispatchedOfWhichTheComponentDiesFailThoughOthersListen) {
   const Program component("/usr/bin/python3", {"-c", kTireless}, {}, folder_.path() + "/tireless");
   ASSERT_TRUE(eventually([] {
     return reaches("/tireless", "/plan_executor", "/action_dispatch") &&
-           reaches("/plan_executor", "/tireless", "/action_feedback");
+           reaches("/plan_executor", "/tireless", "/action_feedback") &&
+           reachesUs("/tireless", "/action_feedback");
   })) << textOf(folder_.path() + "/tireless");
   setMapping("default: {kind: dispatch, timeout: 0, server_patience: 20}");
   const Plan plan = planOf({{"wash", {}}});

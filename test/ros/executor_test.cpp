@@ -111,7 +111,7 @@ TEST_F(Executor, refusesWhatIsNoPlan) {
   goal.plan.steps[1].action_id = 7;
   const ExecutePlanResult result = run(goal);
   EXPECT_EQ(result.outcome, ExecutePlanResult::INVALID_PLAN);
-  EXPECT_EQ(result.reason, "step 1 has action_id 7, expected its index");
+  EXPECT_EQ(result.reason, "step 2 has action_id 7, expected 1");
   goal = planOf(1);
   goal.plan.guaranteed.resize(1);
   goal.plan.guaranteed[0].text = "tea is served";

@@ -192,9 +192,9 @@ TEST_F(Steps, areNotBegunWhereALaterOneHasNoServer) {
   EXPECT_EQ(result.outcome, ExecutePlanResult::STEP_FAILED);
   EXPECT_EQ(result.failed_step, 1);
   for (const char* part :
-       {"step 1 (grasp cup) can't be carried out: nobody offers the action /move_bsae of type "
+       {"step 2 (grasp cup) can't be carried out: nobody offers the action /move_bsae of type "
         "move_base_msgs/MoveBase; did you mean '/move_base'?",
-        "nor can step 2 (open): nobody offers the service /plan_executor/get_logers; did you mean "
+        "nor can step 3 (open): nobody offers the service /plan_executor/get_logers; did you mean "
         "'/plan_executor/get_loggers'?",
         "no other plan is sought"}) {
     EXPECT_NE(result.reason.find(part), std::string::npos) << result.reason;

@@ -28,9 +28,10 @@ TEST(ExecutorOptions, nameTheKeyThatIsWrong) {
             "parameter /e/step_duration: expected a number from 0 to 3600, not -1");
   EXPECT_EQ(faultWith("failure_probability", 2),
             "parameter /e/failure_probability: expected a number from 0 to 1, not 2");
-  EXPECT_EQ(faultWith("watch", "no"), "parameter /e/watch: expected true or false");
+  EXPECT_EQ(faultWith("watch", "no"),
+            "parameter /e/watch: expected true or false, not the text 'no'");
   EXPECT_EQ(faultWith("max_replans", 1.5),
-            "parameter /e/max_replans: expected a whole number from 0 to 1000");
+            "parameter /e/max_replans: expected a whole number from 0 to 1000, not 1.5");
   EXPECT_EQ(faultWith("clock", "sundial").substr(0, 19), "parameter /e/clock:");
   for (const char* name : {"", "my-robot", "~aligner", "1st"}) {
     EXPECT_EQ(faultWith("aligner", name),

@@ -29,10 +29,10 @@ TEST(FaultOf, saysWhatIsWrong) {
   EXPECT_EQ(faultOf(Plan{}), "this is no plan: plan_id is 0");
   Plan plan = planOf(2);
   plan.steps[1].name.clear();
-  EXPECT_EQ(faultOf(plan), "step 1 has no name");
+  EXPECT_EQ(faultOf(plan), "step 2 has no name");
   plan = planOf(2);
   plan.steps[0].action_id = 1;
-  EXPECT_EQ(faultOf(plan), "step 0 has action_id 1, expected its index");
+  EXPECT_EQ(faultOf(plan), "step 1 has action_id 1, expected 0");
 }
 
 TEST(MappingFault, namesTheNearestName) {
@@ -40,7 +40,7 @@ TEST(MappingFault, namesTheNearestName) {
   const StepMapping mapping = StepMapping::fromYaml(R"yaml(
 tables: {pose: {Kitchen: [0, 0, 0]}}
 actions:
-  og: {kind: simulated}
+  glide: {kind: simulated}
   fly: {kind: simulated, moves: [{frame: base, to: "{pose:tto}"}]}
   swim: {kind: simulated, moves: [{frame: base, to: "{pose:to}"}]}
 )yaml",
@@ -51,15 +51,15 @@ actions:
     plan.steps = {test::step(name, {{"to", value}})};
     return mappingFault(plan, mapping, types);
   };
-  EXPECT_EQ(faultOfStep("go", "kitchen"),
-            "nothing says how to carry out step 0 (go kitchen): m.yaml has no such action; did you "
-            "mean 'og'?");
+  EXPECT_EQ(faultOfStep("glied", "kitchen"),
+            "nothing says how to carry out step 1 (glied kitchen): m.yaml has no such action; did "
+            "you mean 'glide'?");
   EXPECT_EQ(
       faultOfStep("fly", "kitchen"),
-      "step 0 (fly kitchen): m.yaml:5:51: the action fly has no parameter 'tto'; did you mean "
+      "step 1 (fly kitchen): m.yaml:5:52: the action fly has no parameter 'tto'; did you mean "
       "'to'?");
   EXPECT_EQ(faultOfStep("swim", "kitchne"),
-            "step 0 (swim kitchne): m.yaml:6:52: table 'pose' has no entry for 'kitchne'; did you "
+            "step 1 (swim kitchne): m.yaml:6:53: table 'pose' has no entry for 'kitchne'; did you "
             "mean 'Kitchen'?");
   EXPECT_EQ(faultOfStep("swim", "kitchen"), "");
 }

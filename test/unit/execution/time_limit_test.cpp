@@ -10,7 +10,10 @@ constexpr double kLong = 1000;  // seconds
 
 class RosClock : public testing::Test {
  protected:
-  void SetUp() override { ros::Time::setNow(ros::Time(0)); }
+  void SetUp() override {
+    ros::Time::init();
+    ros::Time::setNow(ros::Time(0));
+  }
   void TearDown() override { ros::Time::init(); }
 };
 

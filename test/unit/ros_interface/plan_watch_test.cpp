@@ -101,6 +101,7 @@ TEST_F(PlanWatchTest, theTaskIsThatOfTheNewestPlanWhileOneIsCarriedOut) {
   EXPECT_EQ(watch_.story(), "plan 2 for the task tea of Ann is being carried out");
   watch_.hear({goal("g", GoalStatus::SUCCEEDED)});
   EXPECT_FALSE(watch_.carriesOut("a"));
+  EXPECT_EQ(watch_.standing(), Standing::Idle) << "the new plan was not for another goal";
 }
 
 TEST_F(PlanWatchTest, aPlanOfUnknownOriginIsNamedByItsGoal) {
