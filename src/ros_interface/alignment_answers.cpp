@@ -134,7 +134,8 @@ void AlignmentRunner::apply(const AcceptedAnswer& answer) {
   for (const Literal& fluent : answer.fluents)
     kept_.times[fluent] = answer.at;
   kept_.silences = 0;
-  writeJournal();
+  const std::vector<JournalAnswer> answers = journalAnswers();
+  if (!answers.empty()) journal_.write(answers);
   const phrasing::Phrases& phrases = kept_.phrases;
   std::string said = phrases.say(nameOf(answer.kind));
   if (!answer.fluents.empty()) said += ": " + spoken(answer.fluents);
@@ -160,7 +161,7 @@ session::Receipt AlignmentRunner::handOver(const AcceptedAnswer& answer) {
   return receipt;
 }
 
-void AlignmentRunner::writeJournal() const {
+std::vector<JournalAnswer> AlignmentRunner::journalAnswers() const {
   std::vector<JournalAnswer> answers;
   for (const CandidateView& candidate : kept_.session->snapshot().candidates) {
     const std::optional<AnswerKind> kind = answerOf(candidate);
@@ -169,7 +170,17 @@ void AlignmentRunner::writeJournal() const {
     answers.push_back({candidate.fluent, *kind, candidate.answered_by,
                        time == kept_.times.end() ? ros::Time() : time->second});
   }
-  if (!answers.empty()) journal_.write(answers);
+  return answers;
+}
+
+// Whoever sends the task again, where what nobody was sure of decided it, is asked about that anew.
+void AlignmentRunner::forgetUnsureAnswers() {
+  std::vector<JournalAnswer> answers = journalAnswers();
+  const auto is_unsure = [](const JournalAnswer& answer) {
+    return answer.kind == AnswerKind::Unsure;
+  };
+  answers.erase(std::remove_if(answers.begin(), answers.end(), is_unsure), answers.end());
+  journal_.write(answers);
 }
 
 std::set<Literal> AlignmentRunner::answered() const {

@@ -320,6 +320,7 @@ AlignResult AlignmentRunner::announceOutcome(const session::Outcome& outcome) {
     announcer_.publish(result.plan);
   }
   if (isDecided(outcome.code)) journal_.drop();
+  if (outcome.code == OutcomeCode::UnsureBlocks) forgetUnsureAnswers();
   showToExplainer(last);
   AlignmentState state = stateMessage(last, result.message);
   state.phase = AlignmentState::DONE;

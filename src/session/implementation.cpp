@@ -405,7 +405,10 @@ void Session::Implementation::finish(Outcome outcome) {
   if (outcome.code == OutcomeCode::BudgetLimit) outcome.message += "; more time would not help";
   if (outcome.alternatives.empty()) outcome.alternatives = alternativesAfter(outcome.code);
   outcome_ = std::move(outcome);
-  if (!conflicts_ended_.empty()) outcome_.message += "; " + conflicts_ended_;
+  if (!conflicts_ended_.empty()) {
+    if (!outcome_.message.empty() && outcome_.message.back() == '.') outcome_.message.pop_back();
+    outcome_.message += "; " + conflicts_ended_;
+  }
   ends_unsure_ = false;
   dialogue_.withdraw();
   question_.reset();

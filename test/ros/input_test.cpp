@@ -258,7 +258,7 @@ TEST_F(Input, parametersOfTheWrongTypeAreNamedWithTheirNamespace) {
                                                     {"static_candidates", XmlRpcValue(1)},
                                                     {"time_limit", XmlRpcValue("long")},
                                                     {"memory_limit", XmlRpcValue(512.5)},
-                                                    {"max_questions", XmlRpcValue(2.0)},
+                                                    {"max_questions", XmlRpcValue(2.5)},
                                                     {"ask_timeout", XmlRpcValue(true)},
                                                     {"ask_retries", XmlRpcValue(0.5)},
                                                     {"journal_expiry", XmlRpcValue("a week")},

@@ -185,17 +185,19 @@ TEST_F(JournalScenario, aDialogueThatWasDeclinedGoesOn) {
   EXPECT_TRUE(areAboutTheSame(sendAndAwaitQuestion(sweepBothRooms()), second));
 }
 
-TEST_F(JournalScenario, aDialogueThatNobodyIsSureOfKeepsItsAnswers) {
+TEST_F(JournalScenario, aDialogueThatNobodyIsSureOfAsksAboutThatAloneOnceMore) {
   const auto [first, second] = answerTheFirst(sweepBothRooms());
   EXPECT_TRUE(answer(Answer::Request::UNSURE, second.question_id).accepted);
   EXPECT_EQ(awaitResult().outcome, AlignResult::UNSURE_BLOCKS);
   EXPECT_EQ(entries(), 1U);
   killAligner();
   startAligner();
-  align_.sendGoal(sweepBothRooms());
+  const Question asked = sendAndAwaitQuestion(sweepBothRooms());
+  EXPECT_TRUE(areAboutTheSame(asked, second));
+  EXPECT_TRUE(answer(Answer::Request::NO, asked.question_id).accepted);
   const AlignResult again = awaitResult();
-  EXPECT_EQ(again.outcome, AlignResult::UNSURE_BLOCKS);
-  EXPECT_EQ(again.questions, 0U);
+  EXPECT_EQ(again.outcome, AlignResult::SUCCESS);
+  EXPECT_EQ(again.questions, 1U);
   EXPECT_EQ(int{answered(again.candidates, first).state}, Candidate::NOT_WANTED);
 }
 

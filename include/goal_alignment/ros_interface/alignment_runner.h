@@ -126,7 +126,8 @@ class AlignmentRunner {
   void applyAnswers();
   void apply(const AcceptedAnswer& answer);
   session::Receipt handOver(const AcceptedAnswer& answer);
-  void writeJournal() const;
+  std::vector<JournalAnswer> journalAnswers() const;
+  void forgetUnsureAnswers();
   std::set<Literal> answered() const;
   void waitForAnswer(GoalTicket& ticket, const session::Snapshot& now);
   QuestionBridge::Wake awaitNews();

@@ -18,9 +18,9 @@
 #include "goal_alignment/AskHuman.h"
 #include "goal_alignment/phrasing/reply.h"
 #include "goal_alignment/phrasing/vocabulary.h"
+#include "goal_alignment/ros_interface/dialogue_diagnostics.h"
 #include "goal_alignment/ros_interface/line_reader.h"
 #include "goal_alignment/ros_interface/prompted_terminal.h"
-#include "goal_alignment/ros_interface/dialogue_diagnostics.h"
 #include "goal_alignment/ros_interface/question_watch.h"
 
 namespace goal_alignment::ros_interface {

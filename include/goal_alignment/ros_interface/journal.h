@@ -52,7 +52,7 @@ class Journal {
   /// come to its outcome.
   void add(const std::string& session_id, const std::vector<JournalAnswer>& answers);
 
-  /// All answers of the session, whenever it has taken new ones.
+  /// All answers of the session, whenever it has taken new ones, or those that are to count later.
   void write(const std::vector<JournalAnswer>& answers);
 
   /// The task has come to its outcome.

@@ -74,7 +74,8 @@ TEST(FormulaReader, SaysWhatIsMissing) {
     return samples::domainError<SyntaxError>("(define (domain d) (:action a\n" + body + "))");
   };
   EXPECT_EQ(error(":precondition (imply (p))"), "d.pddl:2:25: expected '(', found ')'");
-  EXPECT_EQ(error(":precondition (imply (p) (q) (r))"), "d.pddl:2:30: expected ')', found '('");
+  EXPECT_EQ(error(":precondition (imply (p) (q) (r))"),
+            "d.pddl:2:30: expected ')', found '('; the '(imply' at 2:15 is still open");
   EXPECT_EQ(error(":precondition (forall ?x (p))"), "d.pddl:2:23: expected '(', found '?x'");
   EXPECT_EQ(error(":precondition (exists (x) (p))"),
             "d.pddl:2:24: expected a variable such as '?x' or ')', found 'x'");
@@ -84,7 +85,8 @@ TEST(FormulaReader, SaysWhatIsMissing) {
             "d.pddl:2:16: expected a predicate, found 'when'");
   EXPECT_EQ(error(":effect (when (p))"), "d.pddl:2:18: expected an effect's '(', found ')'");
   EXPECT_EQ(error(":effect (or (p) (q))"), "d.pddl:2:10: expected a predicate, found 'or'");
-  EXPECT_EQ(error(":effect (when (p) (q) (r))"), "d.pddl:2:23: expected ')', found '('");
+  EXPECT_EQ(error(":effect (when (p) (q) (r))"),
+            "d.pddl:2:23: expected ')', found '('; the '(when' at 2:9 is still open");
   EXPECT_EQ(error(":parameters (?x - (either))"), "d.pddl:2:26: expected a type, found ')'");
   EXPECT_EQ(error(":parameters (?x - (or a b))"), "d.pddl:2:20: expected 'either', found 'or'");
 }
