@@ -49,14 +49,14 @@ void DispatchedSteps::hear(const ros::MessageEvent<const ActionFeedback>& event)
     if (last_ && isOver(last_->status)) return;  // another component may still have its say
     if (!last_ && isOver(feedback.status) && mayBeLate(feedback)) {
       ROS_WARN("%s says how an earlier try of step %d has ended: that does not count for this one",
-               event.getPublisherName().c_str(), feedback.action_id);
+               event.getPublisherName().c_str(), feedback.action_id + 1);
       return;
     }
     if (!isKnown(feedback.status)) {
       ROS_WARN(
           "%s says of step %d the status %d, which ActionFeedback does not have: it counts as a "
           "failure",
-          event.getPublisherName().c_str(), feedback.action_id, feedback.status);
+          event.getPublisherName().c_str(), feedback.action_id + 1, feedback.status);
     }
     last_ = feedback;
     performer_ = event.getPublisherName();
@@ -75,7 +75,7 @@ bool DispatchedSteps::isAbout(const ActionFeedback& feedback, const std::string&
     ROS_WARN(
         "%s tells about step %d of plan %d while step %d of plan %d is carried out: what it says "
         "of others does not count",
-        from.c_str(), feedback.action_id, feedback.plan_id, expected_->action_id,
+        from.c_str(), feedback.action_id + 1, feedback.plan_id, expected_->action_id + 1,
         expected_->plan_id);
   }
   return false;

@@ -83,8 +83,8 @@ std::optional<WorldState> FactsWatch::world() {
   }
   session_is_lost_ = facts.session_id != session_;
   if (session_is_lost_ && facts.session_id != other_session_) {
-    ROS_WARN("the aligner is at another task by now: the plan goes on, but can't be replaced");
     other_session_ = facts.session_id;
+    ROS_WARN("%s: the plan goes on, but can't be replaced", whyLost().c_str());
     ledger_.tellAgain();
     return world();
   }
@@ -210,12 +210,17 @@ void FactsWatch::contradict(const GroundName& atom, const Claim& claim) const {
       Literal{atom, claim.holds}.text().c_str(), by.c_str());
 }
 
+std::string FactsWatch::whyLost() const {
+  return other_session_.empty() ? "the aligner was started anew and has forgotten the task"
+                                : "the aligner is at another task by now";
+}
+
 std::string FactsWatch::whyNoNewPlan() {
   // Without the facts a new plan would begin where this one did.
   if (!watch_) return unwatched_;
   world();
   if (!blind_.empty()) return "what is so is not known: " + blind_;
-  if (session_is_lost_) return "the aligner is at another task by now";
+  if (session_is_lost_) return whyLost();
   rest_is_fine_ = false;
   return "";
 }

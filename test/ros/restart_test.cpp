@@ -79,5 +79,31 @@ TEST_F(Restart, isNoticedAtTheEndOfThePlanToo) {
   }));
 }
 
+TEST_F(Restart, leavesNobodyToPlanAnew) {
+  ros::Publisher component = node_.advertise<ActionFeedback>("/action_feedback", 10);
+  ASSERT_TRUE(eventually([&] { return component.getNumSubscribers() > 1; })) << "it and we";
+  setMapping(
+      "default: {kind: simulated, duration: 0}\n"
+      "actions: {deliver: {kind: dispatch, timeout: 0, server_patience: 60}}");
+  const AlignResult aligned = overTheLawn();
+  ASSERT_EQ(aligned.outcome, AlignResult::SUCCESS) << aligned.message;
+  send(aligned.plan);
+  ASSERT_TRUE(dispatched(aligned.plan, 2));
+  killAligner();
+  ASSERT_NO_FATAL_FAILURE(startAligner());
+  ActionFeedback failed;
+  failed.plan_id = aligned.plan.plan_id;
+  failed.action_id = 2;
+  failed.status = ActionFeedback::ACTION_FAILED;
+  component.publish(failed);
+  const ExecutePlanResult result = PlanRuns::awaitEnd();
+  EXPECT_EQ(result.outcome, ExecutePlanResult::STEP_FAILED);
+  EXPECT_EQ(doneBy(result), "(fetch hall) (cross hall study)");
+  EXPECT_NE(result.reason.find("no new plan, since the aligner was started anew and has forgotten "
+                               "the task"),
+            std::string::npos)
+      << result.reason;
+}
+
 }  // namespace
 }  // namespace goal_alignment::test

@@ -74,6 +74,7 @@ class FactsWatch {
   void giveUp(const std::string& why);
   void goBlind(const std::string& why);
   std::optional<WorldState> world();
+  std::string whyLost() const;
   RobotWatch::Finding judgeRest(const std::vector<GroundName>& steps,
                                 const std::vector<Literal>& wanted, const WorldState& world);
   Look await(const Judge& judge, std::size_t first_step, std::size_t steps);
@@ -88,7 +89,7 @@ class FactsWatch {
   std::string unwatched_;            // why
   std::string blind_;                // why facts can't be had just now; "": they can
   std::string session_;
-  std::string other_session_;      // that the aligner was at last, where it was another one
+  std::string other_session_;      // that the aligner was at last, where it was not ours; "": none
   bool session_is_lost_ = false;   // the aligner is at another one
   std::optional<WorldState> now_;  // as last seen, and changed by steps since
   bool rest_is_fine_ = false;      // from now_ on
