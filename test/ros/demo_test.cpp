@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The demos as demo.launch sets them up, told by demo_task.
 #include <ros/package.h>
+#include <ros/service.h>
+#include <std_srvs/Trigger.h>
 #include <sys/wait.h>
 
 #include <cstdio>
@@ -51,7 +53,20 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-TEST(Demo, tellsTheTaskTheBreakTheQuestionsTheStepsAndTheGuarantee) {
+class Demo : public testing::Test {
+ protected:
+  void SetUp() override { forgetWhatWasDone(); }
+
+  // The world is as its files say, whatever was carried out before.
+  static void forgetWhatWasDone() {
+    ASSERT_TRUE(isOffered("/goal_alignment/forget_facts"));
+    std_srvs::Trigger forget;
+    ASSERT_TRUE(ros::service::call("/goal_alignment/forget_facts", forget));
+    EXPECT_TRUE(forget.response.success) << forget.response.message;
+  }
+};
+
+TEST_F(Demo, tellsTheTaskTheBreakTheQuestionsTheStepsAndTheGuarantee) {
   const Telling run =
       demoTask("_task:=config/domains/tea/task.yaml _phrases:=config/domains/tea/phrases.yaml");
   expectInOrder(run, {"The task, from ", "Where this plan breaks for the robot: ",
@@ -61,7 +76,7 @@ TEST(Demo, tellsTheTaskTheBreakTheQuestionsTheStepsAndTheGuarantee) {
   EXPECT_EQ(count(run.output, "Ada answers: "), 3U) << run.output;
 }
 
-TEST(Demo, failsForATaskThatCannotBe) {
+TEST_F(Demo, failsForATaskThatCannotBe) {
   EXPECT_EQ(demoTask("_task:=config/domains/tea/no_such_task.yaml").status, 1);
   // The problem's goal without a plan: it is not what the person expects.
   const Telling run = demoTask("_task:=test/ros/models/empty_task.yaml");
@@ -70,7 +85,7 @@ TEST(Demo, failsForATaskThatCannotBe) {
   EXPECT_EQ(run.output.find("Guaranteed:"), std::string::npos) << run.output;
 }
 
-TEST(Demo, canBeDoneWithTheClientInPython) {
+TEST_F(Demo, canBeDoneWithTheClientInPython) {
   const std::string client =
       ros::package::getPath("goal_alignment") + "/examples/align_and_execute.py";
   const Telling run = told(
@@ -81,6 +96,7 @@ TEST(Demo, canBeDoneWithTheClientInPython) {
       " '(boil-kettle)' '(brew good-leaves filtered-water)' '(pour china-cup)' '(go counter table)'"
       " '(serve china-cup)'");
   EXPECT_EQ(run.status, 0) << run.output;
+  ASSERT_NO_FATAL_FAILURE(forgetWhatWasDone());
   EXPECT_EQ(told("/usr/bin/python3 " + client + " '(tea-served)'").status, 1)
       << "it is not planned";
 }
