@@ -38,13 +38,14 @@ void tellEnd(const goal_alignment::AlignmentState& end, OutcomeWatch& ends,
   terminal.write("\n" + end.message + "\n");
   if (end.alternatives.empty()) return;
   const auto chosen = dialogue.choose(end.alternatives, [&] { return ends.isGone(end); });
-  if (!chosen && !ends.isGone(end) && !dialogue.hasEnded()) terminal.write("So it is left.\n");
+  if (!chosen && !ends.isGone(end) && !dialogue.hasEnded())
+    terminal.write(phrases.say("ask_left_at_that") + "\n");
   if (chosen && !ends.takeUp(end, end.alternatives.at(*chosen), end.person))
     terminal.write(phrases.say("ask_nobody_goes_on") + "\n");
 }
 
-void tellEnds(ConsoleDialogue& dialogue, PromptedTerminal& terminal, const Phrases& phrases) {
-  OutcomeWatch ends{ros::NodeHandle{}};
+void tellEnds(OutcomeWatch& ends, ConsoleDialogue& dialogue, PromptedTerminal& terminal,
+              const Phrases& phrases) {
   while (ros::ok() && !dialogue.hasEnded()) {
     if (const auto end = ends.takeEnd()) tellEnd(*end, ends, dialogue, terminal, phrases);
     ros::WallDuration(kLookPeriod).sleep();
@@ -55,14 +56,15 @@ void run() {
   const std::string vocabulary =
       ros::NodeHandle("~").param<std::string>("vocabulary", kDefaultVocabulary);
   const Phrases phrases = phrasesOfParameter();
+  OutcomeWatch ends{ros::NodeHandle{}};  // before there can be a question
   PromptedTerminal terminal(std::cout);
   ConsoleDialogue dialogue(ros::NodeHandle{}, STDIN_FILENO, terminal, vocabularyOf(vocabulary),
                            phrases);
   ros::AsyncSpinner spinner(2);  // a second asker waits for the first
   spinner.start();
-  std::thread ends([&] { tellEnds(dialogue, terminal, phrases); });
+  std::thread talk([&] { tellEnds(ends, dialogue, terminal, phrases); });
   dialogue.run();
-  ends.join();
+  talk.join();
   ros::shutdown();
   spinner.stop();
 }

@@ -5,22 +5,23 @@
 
 namespace goal_alignment::phrasing {
 
-SpokenChoice::SpokenChoice(const Vocabulary& vocabulary, const std::string& told, bool lists_them,
-                           std::vector<std::string> offered, int retries)
+SpokenChoice::SpokenChoice(const Vocabulary& vocabulary, const std::string& told,
+                           std::size_t listed, std::vector<std::string> offered, int retries)
     : vocabulary_(vocabulary),
       sayings_(*vocabulary.atEnd()),
       offered_(std::move(offered)),
       misunderstandings_left_(retries),
       silences_left_(retries) {
   const bool several = offered_.size() > 1;
-  asked_ = told + " " + (lists_them ? "" : choices() + " ") +
-           (several ? sayings_.choose : sayings_.choose_one);
+  asked_ = told + choices(listed) + " " + (several ? sayings_.choose : sayings_.choose_one);
 }
 
-std::string SpokenChoice::choices() const {
-  if (offered_.size() == 1) return sayings_.offer_one.fill(offered_).value_or(offered_.front());
-  std::string text = sayings_.offer;
-  for (std::size_t i = 0; i < offered_.size(); ++i)
+// Of those that were not told yet.
+std::string SpokenChoice::choices(std::size_t listed) const {
+  if (offered_.size() == 1 && listed == 0)
+    return " " + sayings_.offer_one.fill(offered_).value_or(offered_.front());
+  std::string text = listed == 0 ? " " + sayings_.offer : "";
+  for (std::size_t i = listed; i < offered_.size(); ++i)
     text += " " + vocabulary_.numbered(i, offered_[i]);
   return text;
 }

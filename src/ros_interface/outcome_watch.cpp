@@ -24,7 +24,7 @@ bool isEnd(const AlignmentState& state) {
 }  // namespace
 
 OutcomeWatch::OutcomeWatch(ros::NodeHandle node, std::function<void()> changed)
-    : changed_(std::move(changed)), listener_(1, &callbacks_) {
+    : changed_(std::move(changed)), began_(stampNow()), listener_(1, &callbacks_) {
   node.setCallbackQueue(&callbacks_);
   goals_ =
       node.advertise<AlignActionGoal>(ros::names::append(kAlignerAlignAction, "goal"), kQueueSize);
@@ -38,10 +38,11 @@ void OutcomeWatch::hearState(const AlignmentState::ConstPtr& state) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     // What is latched may be old, and comes again with each new connection.
-    const bool heard = newest_ && (newest_->header.stamp != state->header.stamp ||
-                                   newest_->header.seq != state->header.seq);
+    const bool is_new = newest_ ? newest_->header.stamp != state->header.stamp ||
+                                      newest_->header.seq != state->header.seq
+                                : state->header.stamp >= began_;
     newest_ = *state;
-    if (!heard) return;
+    if (!is_new) return;
     end_.reset();
     if (isEnd(*state) && state->outcome != AlignResult::CANCELED) end_ = *state;
   }

@@ -192,9 +192,9 @@ void SpeechDialogue::offerAlternatives(const AlignmentState& end, const IsOver& 
   std::vector<std::string> offered;
   for (const AlternativeGoal& alternative : end.alternatives)
     offered.push_back(leftOutBy(alternative));
-  // Then the message ends with them.
-  const bool lists_them = offered.size() <= phrasing::kSpokenAlternatives;
-  phrasing::SpokenChoice spoken(vocabulary_, end.message, lists_them, offered, options_.retries);
+  // The message ends with the first ones.
+  phrasing::SpokenChoice spoken(vocabulary_, end.message, phrasing::kSpokenAlternatives, offered,
+                                options_.retries);
   phrasing::SpokenChoice::Turn turn{false, std::nullopt, spoken.asked()};
   while (say(turn.say, is_over)) {
     const auto words = awaitWords(after(options_.reply_timeout), is_over);

@@ -48,7 +48,10 @@ TEST_F(Latched, taskFromBeforeTheFirstStartIsTakenUpAndNotAgainAfterARestart) {
   ASSERT_NO_FATAL_FAILURE(startAligner());
   EXPECT_TRUE(isLeftOut()) << "and the log says so";
   EXPECT_TRUE(questionIsClosed());
-  EXPECT_TRUE(eventually([this] { return states_.last()->task_id.empty(); }));
+  EXPECT_TRUE(eventually([this] {
+    return states_.last()->phase == AlignmentState::DONE &&
+           states_.last()->outcome == AlignResult::CANCELED;
+  })) << "it is told to be lost, and is not begun again";
 
   EXPECT_TRUE(eventually([&] {
     tasks_.publish(task_);  // not in one breath with what was left out: that would be a stream

@@ -209,7 +209,7 @@ TEST_F(Questions, nobodyIsAskedAboutHiddenPredicatesAndTheResultSaysSo) {
   EXPECT_EQ(result.questions, 0U);
   EXPECT_EQ(textsOf(result.plan.assumed_not_wanted), Texts{"(quiet hall)"});
   EXPECT_TRUE(result.plan.not_wanted.empty());
-  EXPECT_TRUE(contains(result.message, "Nobody was asked about this")) << result.message;
+  EXPECT_TRUE(contains(result.message, "since nobody was asked about it")) << result.message;
   EXPECT_TRUE(contains(result.message, "\"quiet\" holds for hall")) << result.message;
   const Candidate assumed = candidateOf(result, "(quiet hall)");
   EXPECT_EQ(assumed.answered_by, "assumed");
@@ -272,7 +272,7 @@ TEST_F(Questions, whatCostsTooMuchToKeepIsAskedAbout) {
   const Parameter limit("max_extra_cost", 2.0);
   const Question question = sendAndAwaitQuestion(goal);
   EXPECT_EQ(textsOf(question.fluents), Texts{"(aired hall)"});
-  EXPECT_TRUE(contains(question.why, "costs 3 more")) << question.why;
+  EXPECT_TRUE(contains(question.why, "cost 3 more")) << question.why;
   EXPECT_TRUE(question.conflict.empty());
   EXPECT_TRUE(answer(kNo, question.question_id).accepted);
   const AlignResult cheap = expectEnd(AlignResult::SUCCESS);

@@ -100,8 +100,9 @@ TEST_F(Services, explainEveryKindOfFluent) {
   const std::string other = open == "(quiet hall)" ? "(quiet kitchen)" : "(quiet hall)";
   expectKnown(explain({open}), reasonOf(first), {{open}});
   expectKnown(explain({"(clean hall)"}), "You asked that", {});
-  expectKnown(explain({"(quiet cellar)"}), "you don't expect it", {});
-  expectKnown(explain({"(not (quiet hall))"}), "you don't expect it", {});
+  expectKnown(explain({"(quiet cellar)"}), "You don't expect that \"quiet\" holds for cellar", {});
+  expectKnown(explain({"(not (quiet hall))"}),
+              "You don't expect that \"quiet\" does not hold for hall", {});
   reply(first, kNo);
   const Question second = ask();
   expectKnown(explain({open}), "answered no by test", {{open}});

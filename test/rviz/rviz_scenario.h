@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QString>
 #include <QWidget>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -79,6 +80,7 @@ class RvizScenario : public testing::Test {
   std::map<std::string, std::unique_ptr<Program>> aligners_;
   std::map<std::string, std::unique_ptr<Topic<AlignmentState>>> states_;
   std::map<std::string, ros::Publisher> goals_;
+  std::map<std::string, std::shared_ptr<std::atomic<int>>> listeners_;  // to goals: the aligners
 
  private:
   // Of all scenarios, since its graphics can't be started twice. Each loads its own panels.

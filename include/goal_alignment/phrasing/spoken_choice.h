@@ -15,9 +15,10 @@ namespace goal_alignment::phrasing {
 /// either kind nothing was understood: what is said hours later chooses nothing.
 class SpokenChoice {
  public:
-  /// `vocabulary`, which knows what is said at the end, outlives this. `told` is said first; it may
-  /// list the alternatives already. `offered` names each by what has to be left out.
-  SpokenChoice(const Vocabulary& vocabulary, const std::string& told, bool lists_them,
+  /// `vocabulary`, which knows what is said at the end, outlives this. `told` is said first; the
+  /// first `listed` alternatives are in it already. `offered` names each by what has to be left
+  /// out.
+  SpokenChoice(const Vocabulary& vocabulary, const std::string& told, std::size_t listed,
                std::vector<std::string> offered, int retries);
 
   /// What the person's words, or their silence, lead to.
@@ -32,7 +33,7 @@ class SpokenChoice {
   Turn silence();
 
  private:
-  std::string choices() const;
+  std::string choices(std::size_t listed) const;
   std::string answers() const;
 
   const Vocabulary& vocabulary_;

@@ -6,6 +6,7 @@
 #include <ros/publisher.h>
 #include <ros/spinner.h>
 #include <ros/subscriber.h>
+#include <ros/time.h>
 
 #include <cstdint>
 #include <functional>
@@ -47,6 +48,7 @@ class OutcomeWatch {
   void hearPlan(const Plan::ConstPtr& plan);
 
   std::function<void()> changed_;
+  ros::Time began_;
   mutable std::mutex mutex_;
   std::optional<AlignmentState> newest_;  // nothing until the first message
   std::optional<AlignmentState> end_;     // not taken yet

@@ -21,17 +21,23 @@ class SpokenAlternatives : public testing::Test {
 
   Vocabulary vocabulary_ = english();
   std::vector<std::string> two_ = {"the cat stays in", "the door is shut"};
-  SpokenChoice several_{vocabulary_, "It can't be.", false, two_, 1};
+  SpokenChoice several_{vocabulary_, "It can't be.", 0, two_, 1};
 };
 
 TEST_F(SpokenAlternatives, AreListedUnlessTheMessageDoesSo) {
   EXPECT_EQ(several_.asked(),
             "It can't be. I can do everything except one of these. one: the cat stays in. two: the "
             "door is shut. Which one shall I leave out?");
-  EXPECT_EQ(SpokenChoice(vocabulary_, "It can't be.", true, two_, 1).asked(),
+  EXPECT_EQ(SpokenChoice(vocabulary_, "It can't be.", 3, two_, 1).asked(),
             "It can't be. Which one shall I leave out?");
-  EXPECT_EQ(SpokenChoice(vocabulary_, "It can't be.", false, {"the cat stays in"}, 1).asked(),
+  EXPECT_EQ(SpokenChoice(vocabulary_, "It can't be.", 0, {"the cat stays in"}, 1).asked(),
             "It can't be. I can do everything except: the cat stays in. Shall I do that?");
+}
+
+TEST_F(SpokenAlternatives, OfWhichTheMessageListsTheFirstAreListedFromTheNextOn) {
+  EXPECT_EQ(
+      SpokenChoice(vocabulary_, "All but a. Or b. Two more.", 2, {"a", "b", "c", "d"}, 1).asked(),
+      "All but a. Or b. Two more. three: c. four: d. Which one shall I leave out?");
 }
 
 TEST_F(SpokenAlternatives, EndWithAChoice) {

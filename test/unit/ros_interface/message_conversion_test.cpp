@@ -164,7 +164,7 @@ TEST(MessageConversion, questionsSayWhatFollows) {
   view.if_yes.ending = questions::Prospect::Ending::NoPlan;
   const std::string why = toMessage(view, {}).why;
   EXPECT_NE(why.find("If not, I can do all the rest."), std::string::npos) << why;
-  EXPECT_NE(why.find("If it does, I can't do all"), std::string::npos) << why;
+  EXPECT_NE(why.find("If it does, I can't do everything you want."), std::string::npos) << why;
 }
 
 TEST(MessageConversion, aGroupHasAProbabilityForEachAndTheFirstConflict) {
