@@ -64,7 +64,7 @@ std::string leftOpen(const Phrases& phrases, const std::string& where, Limit lim
 }
 
 std::string planFound(const Phrases& phrases, const std::vector<Literal>& not_promised) {
-  const std::string plan = phrases.say("outcome_plan");
+  std::string plan = phrases.say("outcome_plan");
   if (not_promised.empty()) return plan;
   return plan + " " + phrases.say("outcome_not_promised", {phrases.fewClauses(not_promised)});
 }
