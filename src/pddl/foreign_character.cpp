@@ -97,7 +97,7 @@ std::string foreignCharacter(std::string_view text, std::size_t offset) {
            (refused == nullptr ? "" : std::string(", ") + refused->what);
   }
   const auto byte = static_cast<unsigned char>(here.front());
-  const std::string found = "the byte 0x" + hexadecimal(byte, 2);
+  std::string found = "the byte 0x" + hexadecimal(byte, 2);
   if (byte < 0x80U) return found;
   if (offset == 0 && isUtf16(text)) return found + "; the text is UTF-16, and UTF-8 is read";
   constexpr unsigned char kFirstLetter = 0xC0;

@@ -88,6 +88,7 @@ std::string Phrases::why(const std::vector<Reason>& reasons, const Prospect& if_
 
 std::string Phrases::alternatives(const std::vector<std::vector<Literal>>& given_up) const {
   std::vector<std::string> sentences;
+  sentences.reserve(given_up.size());
   for (const std::vector<Literal>& set : given_up)
     sentences.push_back(say(sentences.empty() ? "except" : "or_except", {clauses(set)}));
   return joined(sentences);
