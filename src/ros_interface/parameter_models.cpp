@@ -14,19 +14,18 @@ constexpr std::size_t kBytes = std::size_t{1} << 30U;
 }  // namespace
 
 ParameterModels::Model ParameterModels::robot(std::string& why_not) {
-  try {
-    const session::Input files = parameterModels(NodeOptions::read(private_node_));
-    return of(robot_, files.robot_domain, files.robot_problem, why_not);
-  } catch (const std::exception& error) {
-    why_not = error.what();
-    return nullptr;
-  }
+  return read(robot_, &session::Input::robot_domain, &session::Input::robot_problem, why_not);
 }
 
 ParameterModels::Model ParameterModels::human(std::string& why_not) {
+  return read(human_, &session::Input::human_domain, &session::Input::human_problem, why_not);
+}
+
+ParameterModels::Model ParameterModels::read(Read& last, File domain, File problem,
+                                             std::string& why_not) {
   try {
     const session::Input files = parameterModels(NodeOptions::read(private_node_));
-    return of(human_, files.human_domain, files.human_problem, why_not);
+    return of(last, files.*domain, files.*problem, why_not);
   } catch (const std::exception& error) {
     why_not = error.what();
     return nullptr;

@@ -5,17 +5,15 @@
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <utility>
+
+#include "durable_file.h"
 
 namespace goal_alignment::ros_interface {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t kMostKeys = 100;
-constexpr const char* kNewSuffix = ".new";
 
 }  // namespace
 
@@ -46,16 +44,11 @@ void TakenTasks::add(const std::string& key) {
   }
 }
 
-void TakenTasks::write() {
-  fs::create_directories(fs::path(file_).parent_path());
-  const std::string fresh = file_ + kNewSuffix;
-  std::ofstream output;
-  output.exceptions(std::ios::failbit | std::ios::badbit);
-  output.open(fresh);
+void TakenTasks::write() const {
+  std::string text;
   for (const std::string& key : keys_)
-    output << key << '\n';
-  output.close();
-  fs::rename(fresh, file_);
+    text += key + "\n";
+  replaceFile(file_, text);
 }
 
 }  // namespace goal_alignment::ros_interface

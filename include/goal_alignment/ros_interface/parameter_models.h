@@ -10,6 +10,7 @@
 
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/pddl/source_position.h"
+#include "goal_alignment/session/session.h"
 
 namespace goal_alignment::ros_interface {
 
@@ -33,6 +34,9 @@ class ParameterModels {
     std::string why_not;
   };
 
+  using File = pddl::Source session::Input::*;
+
+  Model read(Read& last, File domain, File problem, std::string& why_not);
   Model of(Read& last, const pddl::Source& domain, const pddl::Source& problem,
            std::string& why_not);
 

@@ -21,7 +21,7 @@ class TakenTasks {
   void add(const std::string& key);
 
  private:
-  void write();
+  void write() const;
 
   const std::string file_;
   const Complain complain_;
