@@ -8,6 +8,8 @@ file(GLOB ros_unit_tests CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/test/unit/execution/*_test.cpp)
 catkin_add_gtest(goal_alignment_ros_unit_tests ${ros_unit_tests})
 goal_alignment_ros_target(goal_alignment_ros_unit_tests)
+# -O1, here and below: to compile the tests takes longer than to run them.
+target_compile_options(goal_alignment_ros_unit_tests PRIVATE -O1)
 target_include_directories(goal_alignment_ros_unit_tests PRIVATE ${PROJECT_SOURCE_DIR}/test)
 target_compile_definitions(goal_alignment_ros_unit_tests PRIVATE
   GOAL_ALIGNMENT_SOURCE_ROOT="${PROJECT_SOURCE_DIR}")
@@ -18,6 +20,7 @@ target_link_libraries(goal_alignment_ros_unit_tests
 file(GLOB scenario_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/ros/*.cpp)
 add_executable(goal_alignment_scenarios EXCLUDE_FROM_ALL ${scenario_sources})
 goal_alignment_ros_target(goal_alignment_scenarios)
+target_compile_options(goal_alignment_scenarios PRIVATE -O1)
 target_compile_definitions(goal_alignment_scenarios PRIVATE
   NODE_FOLDER="${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION}")
 target_link_libraries(goal_alignment_scenarios goal_alignment_generators ${catkin_LIBRARIES} GTest::gtest util)

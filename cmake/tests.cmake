@@ -11,7 +11,8 @@ add_executable(goal_alignment_unit_tests EXCLUDE_FROM_ALL ${unit_tests})
 # src, for the few classes that have no public header.
 target_include_directories(goal_alignment_unit_tests PRIVATE
   ${PROJECT_SOURCE_DIR}/test ${PROJECT_SOURCE_DIR}/src)
-target_compile_options(goal_alignment_unit_tests PRIVATE -Wall -Wextra -Wshadow)
+# -O1: to compile the tests takes longer than to run them.
+target_compile_options(goal_alignment_unit_tests PRIVATE -Wall -Wextra -Wshadow -O1)
 target_link_libraries(goal_alignment_unit_tests PRIVATE goal_alignment_measuring fmt::fmt yaml-cpp
   nlohmann_json::nlohmann_json rapidcheck GTest::gtest GTest::gtest_main)
 

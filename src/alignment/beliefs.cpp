@@ -98,7 +98,7 @@ class HumanCosts {
       states = std::min(states, kEvaluationWork / (size * queries_.size()));
       if (states < kLeastStates) states = 0;
     }
-    search_limits_ = limits.withStates(states);
+    search_limits_ = limits.withStates(states).withSeconds(options.search_seconds);
   }
 
   CostDifferences run() {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How the runner keeps up with what is so in the robot's world.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
@@ -75,8 +74,7 @@ void AlignmentRunner::applyFacts(const whereabouts::Observation& seen) {
   const std::vector<GroundName> now = facts_.state(seen, left_out);
   for (const GroundName& fact : left_out) {
     if (!kept_.told_left_out.insert(fact).second) continue;
-    announcer_.tell(
-        fmt::format("the fact {} is left out: this robot's model does not know it", fact.text()));
+    announcer_.tell(kept_.phrases.say("event_fact_left_out", {kept_.phrases.clause({fact})}));
   }
   std::vector<GroundName> before = kept_.session->robotState();
   std::sort(before.begin(), before.end());

@@ -257,7 +257,7 @@ void AlignmentRunner::warnIfNobodyIs(const std::string& hidden, const session::S
       now.candidates.begin(), now.candidates.end(),
       [&](const session::CandidateView& view) { return view.fluent.atom.name == hidden; });
   if (known) return;
-  announcer_.tell(fmt::format("no candidate has the hidden predicate {}", hidden));
+  ROS_WARN("no candidate has the hidden predicate %s", hidden.c_str());
 }
 
 // An answer that came in while the last step ran was accepted, so it has to count.

@@ -92,6 +92,8 @@ std::string ending(const session::Outcome& outcome, const Snapshot& last,
       return limitText(outcome, phrasing::Limit::Memory, phrases);
     case OutcomeCode::BudgetLimit:
       return limitText(outcome, phrasing::Limit::Budget, phrases);
+    case OutcomeCode::StateUnknown:
+      return phrases.say("facts_unknown", {phrases.inWords(outcome.message)});
     case OutcomeCode::Declined:
       return phrases.say("outcome_declined");
     case OutcomeCode::QuestionLimit:

@@ -24,6 +24,10 @@ namespace {
 constexpr std::uint64_t kBeliefStates = 2'000;
 constexpr std::uint64_t kPaperBeliefStates = 100'000;
 
+/// Searches for beliefs, which have bounds to fall back on, take at most this share of the time
+/// limit.
+constexpr double kShareOfBeliefs = 0.1;
+
 /// This share of the time limit is not spent on finding all conflicts.
 constexpr double kShareOfDialogue = 0.75;
 
@@ -239,7 +243,9 @@ void Session::Implementation::believe() {
   if (beliefs_.empty()) {
     std::vector<double> differences(robot().candidateCount(), 0);
     if (options_.belief.mode != alignment::BeliefMode::Flat) {
-      differences = costDifferences({true, kBeliefStates, true});
+      alignment::CostOptions cheap{true, kBeliefStates, true};
+      cheap.search_seconds = kShareOfBeliefs * options_.time_limit;
+      differences = costDifferences(cheap);
     }
     beliefs_ = alignment::beliefs(*problem_, differences, options_.belief);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "goal_alignment/alignment/problem.h"
@@ -38,6 +39,7 @@ struct CostOptions {
   std::uint64_t states_per_search = 0;  ///< generated, in each single search
   bool bounds_may_do = false;  ///< where the model is so large that searches would take long
   int threads = 1;             ///< the result does not depend on it
+  double search_seconds = std::numeric_limits<double>::infinity();  ///< for all searches together
 };
 
 /// C(π̂*_f), the optimal cost of G^H ∪ {f} in the human model, for all candidates together: by A*

@@ -130,6 +130,18 @@ TEST(CostDifferences, ASideEffectThatWasAvoidedExplainsThePlan) {
     EXPECT_EQ(values[f], fluents[f].text() == "(lit)" ? 1 : 0) << fluents[f].text();
 }
 
+// Time of their own that is over ends the searches alone, and nothing else.
+RC_GTEST_PROP(CostDifferences, WithoutTimeForSearchesTheBoundsDo, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  CostOptions no_time{true, kPlenty};
+  no_time.search_seconds = 0;
+  const CostDifferences found = costDifferences(problemOf(hagl), no_time, {});
+  const std::vector<double> exact = hagl.costDifferences();
+  for (std::size_t f = 0; f < hagl.size(); ++f)
+    RC_ASSERT(found.values[f] <= exact[f]);
+}
+
 TEST(CostDifferences, StopWhenCancelled) {
   const Problem problem =
       makeProblem(samples::deskRobot(), samples::deskHuman(), {}, samples::deskPlan());

@@ -111,9 +111,19 @@ TEST(OutcomeText, aFaultOfThePlanIsSaidInWords) {
 }
 
 TEST(OutcomeText, whatIsTechnicalStaysTheSessionsMessage) {
-  for (const OutcomeCode code : {OutcomeCode::NoAnswer, OutcomeCode::InvalidModel,
-                                 OutcomeCode::StateUnknown, OutcomeCode::GoalNotExpected})
+  for (const OutcomeCode code :
+       {OutcomeCode::NoAnswer, OutcomeCode::InvalidModel, OutcomeCode::GoalNotExpected})
     EXPECT_EQ(spoken(outcomeWith(code, {})), "as the session says it");
+}
+
+TEST(OutcomeText, unknownFactsAreNamedInWords) {
+  session::Outcome outcome = outcomeWith(OutcomeCode::StateUnknown, {});
+  outcome.message = "nobody can tell (robot-at dock): frame base_link does not exist";
+  const auto phrases = phrasing::Phrases::fromYaml(
+      "predicates: {robot-at: \"the robot is at the {0}\"}", "phrases.yaml");
+  EXPECT_EQ(spokenOutcome(outcome, sample(), phrases, {}),
+            "I can't tell how things stand: nobody can tell (the robot is at the dock): frame "
+            "base_link does not exist");
 }
 
 TEST(OutcomeText, aConditionHasNoWords) {
