@@ -262,6 +262,32 @@ TEST_F(Speech, takesUpTheAlternativeThatIsSaid) {
   }));
 }
 
+TEST_F(Speech, speaksAndUnderstandsGermanFromTheQuestionToTheEnd) {
+  writeText(file("phrases.yaml"), R"(language: de
+predicates:
+  clean: {affirmative: "{0} ist sauber", that: "{0} sauber ist"}
+  quiet:
+    affirmative: "{0} bleibt leise"
+    that: "{0} leise bleibt"
+objects: {hall: "der Flur"}
+actions: {sweep: "{0} fegen"}
+)");
+  const Parameter phrases("phrases", file("phrases.yaml"));
+  set("vocabulary", ros::package::getPath("goal_alignment") + "/config/vocabulary/de.yaml");
+  start();
+  const Question question = sendAndAwaitQuestion(sweepHall());
+  EXPECT_EQ(question.text,
+            "Wenn ich fertig bin: Ist es Ihnen dann wichtig, dass der Flur leise bleibt?");
+  EXPECT_TRUE(speakUntil("Bananen", [this] { return timesSaid("Wie bitte? ") > 0; }));
+  EXPECT_TRUE(speakUntil("Wieso?", [&] { return timesSaid(question.why) > 0; }));
+  EXPECT_TRUE(speakUntil("Ja, klar.", [this] { return isOver(); }));
+  const AlignResult result = awaitResult();
+  EXPECT_EQ(result.outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
+  EXPECT_TRUE(says(result.message + " Soll ich das tun?"));
+  EXPECT_TRUE(speakUntil("Meinetwegen!", [this] { return timesSaid("In Ordnung.") > 0; }));
+  EXPECT_TRUE(says("Er hat einen Schritt: der Flur fegen."));
+}
+
 TEST_F(Speech, leavesItWhereNoAlternativeIsWanted) {
   start();
   sendAndAwaitQuestion(sweepHall());
