@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace goal_alignment::rviz_panel {
@@ -116,7 +117,9 @@ void ShortScroll::hold(QWidget* content) {
 
 int ShortScroll::heightForWidth(int width) const {
   if (widget() == nullptr) return 0;
-  const int height = widget()->hasHeightForWidth() ? widget()->heightForWidth(width)
+  // Beside a scroll bar: once there is one, QScrollArea keeps it until all would fit beside it.
+  const int beside = width - verticalScrollBar()->sizeHint().width();
+  const int height = widget()->hasHeightForWidth() ? widget()->heightForWidth(beside)
                                                    : widget()->sizeHint().height();
   return qMin(most_, height);
 }
