@@ -276,11 +276,11 @@ void PlanExecutor::log(const ExecutePlanResult& result) {
   const std::string reason = result.reason;
   switch (result.outcome) {
     case ExecutePlanResult::SUCCESS:
-      ROS_INFO("a plan is carried out: %zu steps, %u new plans on the way", result.done.size(),
+      ROS_INFO("a plan was carried out: %zu steps, %u new plans on the way", result.done.size(),
                result.replans);
       break;
     case ExecutePlanResult::CANCELED:
-      ROS_INFO("a plan is canceled: %s", reason.c_str());
+      ROS_INFO("a plan ended early: %s", reason.c_str());
       break;
     case ExecutePlanResult::INVALID_PLAN:
       ROS_ERROR("refused a plan: %s", reason.c_str());
