@@ -25,7 +25,9 @@ bool FactsLedger::waits() const {
 }
 
 void FactsLedger::noticeRestart(const std::string& life) {
-  if (life.empty() || life_.empty() || life == life_ || entries_.empty()) return;
+  const bool was_told = std::any_of(entries_.begin(), entries_.end(),
+                                    [](const auto& entry) { return entry.second.told; });
+  if (life.empty() || life_.empty() || life == life_ || !was_told) return;
   ROS_WARN("the aligner was started anew: it is told again what the steps have changed");
   for (auto& entry : entries_)
     entry.second.told = false;

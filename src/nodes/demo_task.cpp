@@ -90,10 +90,10 @@ void waitForResult(Client& client) {
 /// asked.
 class Person {
  public:
-  Person(bool is_asked, const std::string& vocabulary) {
+  Person(bool is_asked, const std::string& vocabulary, const phrasing::Phrases& phrases) {
     if (!is_asked) return;
     dialogue_ = std::make_unique<ConsoleDialogue>(ros::NodeHandle{}, STDIN_FILENO, terminal_,
-                                                  ros_interface::vocabularyOf(vocabulary));
+                                                  ros_interface::vocabularyOf(vocabulary), phrases);
     talk_ = std::thread([this] { dialogue_->run(); });
   }
   ~Person() {
@@ -290,11 +290,12 @@ void run() {
   const HumanTask task = ros_interface::taskOfFile(file);
   ros::AsyncSpinner spinner(3);  // one for a question that waits for its answer
   spinner.start();
+  const phrasing::Phrases phrases =
+      ros_interface::phrasesOf(private_node.param<std::string>("phrases", ""));
   Person person(private_node.param("interactive", false),
-                private_node.param<std::string>("vocabulary", ros_interface::kDefaultVocabulary));
-  TaskStory story(person.hears(),
-                  ros_interface::phrasesOf(private_node.param<std::string>("phrases", "")),
-                  !person.isAsked());
+                private_node.param<std::string>("vocabulary", ros_interface::kDefaultVocabulary),
+                phrases);
+  TaskStory story(person.hears(), phrases, !person.isAsked());
   story.begin(task);
   waitForClock();
   const bool settles = private_node.param("settles", !person.isAsked());

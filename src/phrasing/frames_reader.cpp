@@ -10,10 +10,10 @@ namespace goal_alignment::phrasing {
 
 namespace {
 
-/// What the program says of its limits and of tf is in English.
+/// What the program says of its limits, of tf and of a step's failure is in English.
 bool mayBeLeftOut(const std::string& name) {
   const std::set<std::string> names = {"out_of_time_in", "out_of_memory_in", "out_of_budget_in",
-                                       "facts_unknown"};
+                                       "facts_unknown", "story_trouble"};
   return names.count(name) > 0;
 }
 

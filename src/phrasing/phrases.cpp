@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/phrasing/phrases.h"
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 namespace goal_alignment::phrasing {
@@ -65,29 +67,40 @@ std::optional<std::string> Phrases::form(const GroundName& atom, Form form) cons
 }
 
 /// What is said of a predicate that nobody wrote a sentence for.
-std::string Phrases::bareClause(const Literal& fluent) const {
+std::string Phrases::bareClause(const Literal& fluent, Place place) const {
+  using Names = std::array<const char*, 2>;  // affirmative and negated
+  const bool alone = place == Place::Alone;
+  const Names equality = alone ? Names{"same", "different"} : Names{"that_same", "that_different"};
+  const Names bare = alone ? Names{"holds", "holds_not"} : Names{"that_holds", "that_holds_not"};
+  const Names of_things =
+      alone ? Names{"holds_for", "holds_not_for"} : Names{"that_holds_for", "that_holds_not_for"};
+  const std::size_t form = fluent.negated ? 1 : 0;
   const std::vector<std::string> arguments = spokenArguments(fluent.atom);
-  if (fluent.atom.name == "=" && arguments.size() == 2)
-    return say(fluent.negated ? "different" : "same", arguments);
+  if (fluent.atom.name == "=" && arguments.size() == 2) return say(equality.at(form), arguments);
   const std::string name = spoken(fluent.atom.name);
-  if (arguments.empty()) return say(fluent.negated ? "holds_not" : "holds", {name});
-  return say(fluent.negated ? "holds_not_for" : "holds_for", {name, enumeration(arguments)});
+  if (arguments.empty()) return say(bare.at(form), {name});
+  return say(of_things.at(form), {name, enumeration(arguments)});
 }
 
 std::string Phrases::clause(const Literal& fluent) const {
   const auto affirmative = form(fluent.atom, &Forms::affirmative);
-  if (!fluent.negated) return affirmative ? *affirmative : bareClause(fluent);
+  if (!fluent.negated) return affirmative ? *affirmative : bareClause(fluent, Place::Alone);
   if (const auto negated = form(fluent.atom, &Forms::negated)) return *negated;
-  return affirmative ? say("not_so", {that({fluent.atom, false})}) : bareClause(fluent);
+  if (!affirmative) return bareClause(fluent, Place::Alone);
+  return form(fluent.atom, &Forms::that) ? say("not_so", {that({fluent.atom, false})})
+                                         : say("not_so_plain", {*affirmative});
 }
 
 std::string Phrases::that(const Literal& fluent) const {
   if (const auto own = form(fluent.atom, fluent.negated ? &Forms::that_not : &Forms::that))
     return say("that", {*own});
-  const bool denies = fluent.negated && !form(fluent.atom, &Forms::negated) &&
-                      form(fluent.atom, &Forms::affirmative);
-  return denies ? say("that_not_so", {that({fluent.atom, false})})
-                : say("that_plain", {clause(fluent)});
+  const auto affirmative = form(fluent.atom, &Forms::affirmative);
+  if (fluent.negated && form(fluent.atom, &Forms::negated))
+    return say("that_plain", {clause(fluent)});
+  if (!affirmative) return bareClause(fluent, Place::AfterThat);
+  if (!fluent.negated) return say("that_plain", {*affirmative});
+  return form(fluent.atom, &Forms::that) ? say("that_not_so", {that({fluent.atom, false})})
+                                         : say("that_not_so_plain", {*affirmative});
 }
 
 std::string Phrases::action(const GroundName& step) const {

@@ -38,15 +38,22 @@ TaskQueue<std::shared_ptr<GoalTicket>>::Entry entryFor(const std::shared_ptr<Goa
   return entry;
 }
 
+// To stand before "waits"; a task needs no name.
+std::string named(const GoalTicket& ticket) {
+  const std::string& task_id = ticket.goal().task.task_id;
+  return task_id.empty() ? "the task" : "task " + task_id;
+}
+
 }  // namespace
 
 AlignServer::AlignServer(const ros::NodeHandle& private_node, AlignmentRunner& runner,
                          Announcer& announcer, const PlanWatch& watch,
-                         RefusesIfBusy refuses_if_busy)
+                         RefusesIfBusy refuses_if_busy, NoteWaiting note_waiting)
     : runner_(runner),
       announcer_(announcer),
       watch_(watch),
       refuses_if_busy_(std::move(refuses_if_busy)),
+      note_waiting_(std::move(note_waiting)),
       server_(
           private_node, kAlignAction,
           [this](GoalTicket::Handle handle) { takeGoal(std::move(handle)); },
@@ -67,6 +74,7 @@ void AlignServer::endGoals() {
     stop_ = true;
     for (Queue::Entry& entry : queue_.takeAll([](const Queue::Entry&) { return true; }))
       ended.push_back(std::move(entry.ticket));
+    if (!ended.empty()) note_waiting_({});
     if (next_) ended.push_back(std::exchange(next_, nullptr));
     if (current_) ended.push_back(current_);
   }
@@ -143,8 +151,12 @@ void AlignServer::takeGoal(GoalTicket::Handle handle) {
   }
   if (must_wait) return queueUp(ticket);
   changed_.notify_all();
-  if (waiting) end(waiting, waiting == ticket ? "canceled" : "displaced by a newer goal");
-  if (running) end(running, "displaced by a newer goal");
+  if (waiting == ticket) {
+    end(waiting, "canceled");
+  } else if (waiting) {
+    displace(waiting);
+  }
+  if (running) displace(running);
 }
 
 void AlignServer::queueUp(const Ticket& ticket) {
@@ -167,22 +179,21 @@ void AlignServer::queueUp(const Ticket& ticket) {
   }
   changed_.notify_all();
   if (!why_not.empty()) return refuse(ticket, why_not);
-  if (replaced) end(replaced->ticket, "displaced by a newer goal");
+  if (replaced) displace(replaced->ticket);
   if (!may_stay) return;
-  announcer_.tell(
-      fmt::format("task {}waits: {}",
-                  ticket->goal().task.task_id.empty() ? "" : ticket->goal().task.task_id + " ",
-                  watch_.story()));
+  announcer_.tell(fmt::format("{} waits: {}", named(*ticket), watch_.story()));
 }
 
 void AlignServer::cancelGoal(const GoalTicket::Handle& handle) {
   Ticket ticket;
+  bool waited = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     auto waiting =
         queue_.takeAll([&](const Queue::Entry& entry) { return entry.ticket->isFor(handle); });
     if (!waiting.empty()) {
       ticket = std::move(waiting.front().ticket);
+      waited = true;
       showQueue();
     } else if (next_ && next_->isFor(handle)) {
       ticket = std::exchange(next_, nullptr);
@@ -190,7 +201,9 @@ void AlignServer::cancelGoal(const GoalTicket::Handle& handle) {
       ticket = current_;
     }
   }
-  if (ticket) end(ticket, "canceled");
+  if (!ticket) return;
+  end(ticket, "canceled");
+  if (waited) announcer_.tell(fmt::format("{} waits no longer: it was canceled", named(*ticket)));
 }
 
 // At once and from this thread: a cancel must not wait for the solver to notice it.
@@ -202,20 +215,25 @@ void AlignServer::end(const Ticket& ticket, const std::string& reason) {
   ticket->conclude(result);
 }
 
+void AlignServer::displace(const Ticket& ticket) {
+  ticket->displace();
+  end(ticket, "displaced by a newer goal");
+}
+
 // ~state stays that of the plan under way.
 void AlignServer::refuse(const Ticket& ticket, const std::string& reason) {
   if (!ticket->claim()) return;
   AlignResult result = ticket->interim();
   result.outcome = AlignResult::BUSY;
   result.message = reason;
-  const std::string& task_id = ticket->goal().task.task_id;
-  announcer_.warn(fmt::format("task {}refused ({}): {}", task_id.empty() ? "" : task_id + " ",
-                              result.outcome, reason));
+  announcer_.warn(fmt::format("{} is refused ({}): {}", named(*ticket), result.outcome, reason));
   ticket->conclude(result);
 }
 
 void AlignServer::showQueue() {
-  announcer_.showWaiting(queue_.shown());
+  const std::vector<WaitingTask> waiting = queue_.shown();
+  announcer_.showWaiting(waiting);
+  note_waiting_(waiting);
 }
 
 void AlignServer::work() {

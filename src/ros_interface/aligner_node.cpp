@@ -50,10 +50,10 @@ void logWarning(const std::string& line) {
   ROS_WARN("%s", line.c_str());
 }
 
-std::string lostTask(const UnderWay::Task& task) {
-  return fmt::format("I was restarted while the task {}{}{}was under way: send it again to go on",
+std::string lostTask(const UnderWay::Task& task, const char* what_it_did) {
+  return fmt::format("I was restarted while the task {}{}{}{}: send it again to go on",
                      task.task_id, task.task_id.empty() ? "" : " ",
-                     task.person.empty() ? "" : "of " + task.person + " ");
+                     task.person.empty() ? "" : "of " + task.person + " ", what_it_did);
 }
 
 }  // namespace
@@ -94,7 +94,9 @@ AlignerNode::AlignerNode(ros::NodeHandle node, ros::NodeHandle private_node)
           [this](const std::string& complaint) { announcer_.tell(complaint); }),
       runner_(private_node, {announcer_, bridge_, ask_human_, journal_, facts_, under_way_, tf_,
                              explainer_, plan_watch_}),
-      align_(private_node, runner_, announcer_, plan_watch_, [this] { return refusesIfBusy(); }),
+      align_(
+          private_node, runner_, announcer_, plan_watch_, [this] { return refusesIfBusy(); },
+          [this](const std::vector<WaitingTask>& tasks) { noteWaiting(tasks); }),
       tasks_(node, stateFolder(), align_, announcer_,
              [this](const HumanTask& task) { return goalFor(task); }),
       executor_(
@@ -163,17 +165,20 @@ void AlignerNode::takeUpKeptFacts(const NodeOptions& options) {
 
 // Who sent it as an action's goal sees that it is lost, as the new server does not know it.
 void AlignerNode::tellOfLostTask() {
-  const auto task = under_way_.lost();
-  if (!task) return;
-  AlignmentState state;
-  state.phase = AlignmentState::DONE;
-  state.session_id = task->session_id;
-  state.task_id = task->task_id;
-  state.person = task->person;
-  state.outcome = AlignResult::CANCELED;
-  state.message = lostTask(*task);
-  announcer_.publish(state);
-  news_.push_back(state.message);
+  const UnderWay::Tasks lost = under_way_.lost();
+  if (lost.running) {
+    AlignmentState state;
+    state.phase = AlignmentState::DONE;
+    state.session_id = lost.running->session_id;
+    state.task_id = lost.running->task_id;
+    state.person = lost.running->person;
+    state.outcome = AlignResult::CANCELED;
+    state.message = lostTask(*lost.running, "was under way");
+    announcer_.publish(state);
+    news_.push_back(state.message);
+  }
+  for (const UnderWay::Task& task : lost.waiting)
+    news_.push_back(lostTask(task, "waited"));
 }
 
 void AlignerNode::tellNews() {
@@ -195,6 +200,18 @@ AlignGoal AlignerNode::goalFor(const HumanTask& task) const {
 void AlignerNode::hearExecutor(const actionlib_msgs::GoalStatusArray::ConstPtr& goals) {
   plan_watch_.hear(goals->status_list);
   align_.lookAtExecutor();
+}
+
+// As for the task under way, nothing is kept where nothing is to be found again.
+void AlignerNode::noteWaiting(const std::vector<WaitingTask>& tasks) {
+  double journal_expiry = NodeOptions().journal_expiry;
+  private_node_.getParam("journal_expiry", journal_expiry);
+  std::vector<UnderWay::Task> noted;
+  if (journal_expiry > 0) {
+    for (const WaitingTask& task : tasks)
+      noted.push_back({"", task.task_id, task.person});
+  }
+  under_way_.wait(std::move(noted));
 }
 
 bool AlignerNode::refusesIfBusy() const {

@@ -49,7 +49,7 @@ void AlignmentRunner::takeUpFacts() {
   // A world that never stands still must not keep the outcome from the person for ever.
   const double thought = kept_.session->statistics().total - kept_.thinking_before;
   if (is_done && !is_first && thought > kept_.options.session.time_limit) return;
-  applyFacts(seen);
+  applyFacts(seen, is_first);
 }
 
 // A drop-out may be short. What was found out before stays until it has lasted.
@@ -65,7 +65,8 @@ bool AlignmentRunner::patienceLasts() {
   return missed.count() < kept_.options.tf_patience;
 }
 
-void AlignmentRunner::applyFacts(const whereabouts::Observation& seen) {
+// What the first look changes nobody was told otherwise.
+void AlignmentRunner::applyFacts(const whereabouts::Observation& seen, bool is_first) {
   const unsigned version = facts_.version();
   if (kept_.facts_seen == version && seen.tellsTheSame(kept_.seen)) return;
   kept_.facts_seen = version;
@@ -80,7 +81,7 @@ void AlignmentRunner::applyFacts(const whereabouts::Observation& seen) {
   std::sort(before.begin(), before.end());
   if (now == before) return;
   kept_.session->setRobotState(now);
-  announcer_.tell(kept_.phrases.say("event_new_facts"));
+  if (!is_first) announcer_.tell(kept_.phrases.say("event_new_facts"));
 }
 
 // Nobody plans before the facts are known, and no plan counts while they are not.

@@ -19,7 +19,9 @@ void AlignmentRunner::report(GoalTicket& ticket, const session::Snapshot& now,
 
   // First of all, for who sees the state may cancel at once, and then this is the result.
   ticket.setInterim(figures(now));
-  const AlignmentState state = stateMessage(now, message);
+  AlignmentState state = stateMessage(now, message);
+  // DONE comes with its outcome. A session that goes on, or is about to be told of, still thinks.
+  if (state.phase == AlignmentState::DONE) state.phase = AlignmentState::ANALYSING;
   announcer_.publish(state);
   bridge_.markShown();
   shows_open_ = now.state == session::State::AwaitingAnswer;

@@ -257,7 +257,7 @@ void AlignmentRunner::warnIfNobodyIs(const std::string& hidden, const session::S
       now.candidates.begin(), now.candidates.end(),
       [&](const session::CandidateView& view) { return view.fluent.atom.name == hidden; });
   if (known) return;
-  ROS_WARN("no candidate has the hidden predicate %s", hidden.c_str());
+  announcer_.warn(kept_.phrases.say("event_hidden_unknown", {hidden}));
 }
 
 // An answer that came in while the last step ran was accepted, so it has to count.
@@ -289,7 +289,8 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
     outcome.message = "canceled";
   }
   try {
-    const AlignResult result = announceOutcome(outcome);
+    const AlignResult result = announceOutcome(
+        outcome, ticket.isDisplaced() ? kept_.phrases.say("outcome_displaced") : "");
     if (ours) ticket.conclude(result);
   } catch (const std::exception& error) {
     // Who claims a goal owes its client a result, also where the words for it fail.
@@ -299,14 +300,16 @@ void AlignmentRunner::conclude(GoalTicket& ticket) {
   }
 }
 
-// On all topics; the client's result comes last.
-AlignResult AlignmentRunner::announceOutcome(const session::Outcome& outcome) {
+// On all topics; the client's result comes last. `instead`: of what the session would say.
+AlignResult AlignmentRunner::announceOutcome(const session::Outcome& outcome,
+                                             const std::string& instead) {
   const session::Session& session = *kept_.session;
   const session::Snapshot last = session.snapshot();
   AlignResult result = figures(last);
   const AlignResult said = toMessage(outcome, kept_.phrases);
   result.outcome = said.outcome;
-  result.message = spokenOutcome(outcome, last, kept_.phrases, kept_.human_plan);
+  result.message =
+      instead.empty() ? spokenOutcome(outcome, last, kept_.phrases, kept_.human_plan) : instead;
   result.conflict = said.conflict;
   result.conflict_proven = said.conflict_proven;
   result.conflict_minimal = said.conflict_minimal;

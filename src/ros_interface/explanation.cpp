@@ -2,7 +2,9 @@
 #include "goal_alignment/ros_interface/explanation.h"
 
 #include <algorithm>
+#include <vector>
 
+#include "goal_alignment/phrasing/outcomes.h"
 #include "speaker.h"
 
 namespace goal_alignment::ros_interface {
@@ -44,6 +46,12 @@ class WhySpeaker : public Speaker {
     const ConflictView* conflict = fluents.empty() ? nullptr : snapshot().conflictOf(fluents);
     if (conflict != nullptr) {
       restOn(*conflict);
+    } else if (explained_.outcome == session::OutcomeCode::GoalUnsolvable) {
+      // There are no words for a condition.
+      add(phrasing::goalUnsolvable(
+          phrases(), snapshot().condition.empty() ? snapshot().specified : std::vector<Literal>{}));
+      if (!explained_.human_plan_break.empty())
+        say("own_plan_fails", {explained_.human_plan_break});
     } else if (hasEnded()) {
       say("explain_no_question");
     } else {

@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kPause{1500};  // a rate of 1 Hz is no pause
 constexpr std::chrono::seconds kToldAgainAfter{60};
-constexpr unsigned kCopiesOfAWish = 2;  // a person may press twice
+constexpr unsigned kCopiesOfAWish = 2;                   // a person may press twice,
+constexpr std::chrono::milliseconds kPressedAgain{300};  // but not so fast
 
 }  // namespace
 
@@ -18,13 +19,16 @@ TaskRepeats::Verdict TaskRepeats::judge(const std::string& publisher, const std:
   const auto [found, is_new] = series_.try_emplace({publisher, identity});
   Series& series = found->second;
   if (is_new) series.told = now - kToldAgainAfter;
-  if (is_new || now - series.last > kPause) {
+  const bool begins = is_new || now - series.last > kPause;
+  if (begins) {
     series.copies = 0;
     series.merged = false;
   }
+  const bool too_fast = !begins && now - series.last < kPressedAgain;
   series.last = now;
   ++series.copies;
-  if (!under_way && !series.merged && series.copies <= kCopiesOfAWish) return Verdict::Wanted;
+  const bool may_be_wanted = series.copies <= kCopiesOfAWish && !too_fast;
+  if (!under_way && !series.merged && may_be_wanted) return Verdict::Wanted;
   series.merged = true;
   if (now - series.told < kToldAgainAfter) return Verdict::Repeated;
   series.told = now;

@@ -15,7 +15,7 @@ const char* outcomeWord(OutcomeCode code) noexcept {
     case OutcomeCode::Success:
       return "plan_found";
     case OutcomeCode::Canceled:
-      return "cancelled";
+      return "canceled";
     case OutcomeCode::GoalUnsolvable:
     case OutcomeCode::ExpectationUnachievable:
       return "no_plan";

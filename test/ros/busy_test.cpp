@@ -155,7 +155,7 @@ TEST_F(Busy, tasksAreRefusedWhereThePolicySaysSo) {
   EXPECT_EQ(refused.result.message,
             "plan " + std::to_string(plan.plan.plan_id) + " for Ann is being carried out");
   EXPECT_EQ(currentState().session_id, plan.session_id) << "~state stays that of the plan";
-  EXPECT_TRUE(eventually([this] { return toldOf("task refused refused (65)") == 1; }));
+  EXPECT_TRUE(eventually([this] { return toldOf("task refused is refused (65)") == 1; }));
   executor_.finish();
 }
 

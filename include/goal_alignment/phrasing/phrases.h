@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -122,12 +123,13 @@ class Phrases {
     std::optional<TemplateText> that_not;
   };
   using Form = std::optional<TemplateText> Forms::*;
+  enum class Place : std::uint8_t { Alone, AfterThat };
 
   Filling filling(const std::string& name) const;
   std::vector<Filling> fillings(const GroundName& ground) const;
   std::vector<std::string> spokenArguments(const GroundName& ground) const;
   std::optional<std::string> form(const GroundName& atom, Form form) const;
-  std::string bareClause(const Literal& fluent) const;
+  std::string bareClause(const Literal& fluent, Place place) const;
   std::string enumeration(const std::vector<std::string>& words) const;
   std::string enumerationOfClauses(const std::vector<std::string>& clauses,
                                    std::size_t named) const;

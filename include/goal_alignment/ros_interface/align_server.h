@@ -28,9 +28,11 @@ class AlignServer {
  public:
   /// Tasks that come while a plan is carried out are refused. Asked on the thread of the goal.
   using RefusesIfBusy = std::function<bool()>;
+  /// Takes the tasks that wait from now on.
+  using NoteWaiting = std::function<void(const std::vector<WaitingTask>&)>;
 
   AlignServer(const ros::NodeHandle& private_node, AlignmentRunner& runner, Announcer& announcer,
-              const PlanWatch& watch, RefusesIfBusy refuses_if_busy);
+              const PlanWatch& watch, RefusesIfBusy refuses_if_busy, NoteWaiting note_waiting);
   ~AlignServer();
   AlignServer(const AlignServer&) = delete;
   AlignServer& operator=(const AlignServer&) = delete;
@@ -59,6 +61,7 @@ class AlignServer {
   void queueUp(const Ticket& ticket);
   void cancelGoal(const GoalTicket::Handle& handle);
   void end(const Ticket& ticket, const std::string& reason);
+  void displace(const Ticket& ticket);
   void refuse(const Ticket& ticket, const std::string& reason);
   void work();
   void run(GoalTicket& ticket);
@@ -73,6 +76,7 @@ class AlignServer {
   Announcer& announcer_;
   const PlanWatch& watch_;
   const RefusesIfBusy refuses_if_busy_;
+  const NoteWaiting note_waiting_;
   mutable std::mutex mutex_;  // guards the six below
   std::condition_variable changed_;
   Ticket next_;

@@ -55,6 +55,7 @@ class AlignerNode {
   AlignGoal goalFor(const HumanTask& task) const;
   void hearExecutor(const actionlib_msgs::GoalStatusArray::ConstPtr& goals);
   bool refusesIfBusy() const;
+  void noteWaiting(const std::vector<WaitingTask>& tasks);
   bool answer(Answer::Request& request, Answer::Response& response);
   bool reviseAnswer(Answer::Request& request, Answer::Response& response);
   bool getState(GetState::Request& request, GetState::Response& response);

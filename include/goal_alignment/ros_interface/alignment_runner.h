@@ -102,7 +102,7 @@ class AlignmentRunner {
   bool hasEnded();
   bool claimOutcome(GoalTicket& ticket);
   void conclude(GoalTicket& ticket);
-  AlignResult announceOutcome(const session::Outcome& outcome);
+  AlignResult announceOutcome(const session::Outcome& outcome, const std::string& instead);
   void breakOff(GoalTicket& ticket, const std::exception& error);
   void refuse(GoalTicket& ticket, const session::Outcome& outcome);
   void endWith(GoalTicket& ticket, const session::Outcome& outcome);
@@ -113,7 +113,7 @@ class AlignmentRunner {
   void takeUpFacts();
   void missFacts(const whereabouts::Observation& seen);
   bool patienceLasts();
-  void applyFacts(const whereabouts::Observation& seen);
+  void applyFacts(const whereabouts::Observation& seen, bool is_first);
   bool factsAreAwaited() const;
   bool factsHaveChanged();
   void awaitFacts(GoalTicket& ticket);

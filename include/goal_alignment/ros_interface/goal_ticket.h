@@ -44,6 +44,10 @@ class GoalTicket {
   void setInterim(const AlignResult& interim);
   AlignResult interim() const;
 
+  /// A newer goal is to take its place.
+  void displace() { displaced_ = true; }
+  bool isDisplaced() const { return displaced_; }
+
   bool ended() const { return claimed_; }
   /// True for one caller, who must conclude().
   bool claim() { return !claimed_.exchange(true); }
@@ -54,6 +58,7 @@ class GoalTicket {
   Handle handle_;
   boost::shared_ptr<const AlignGoal> goal_;
   std::string identity_;
+  std::atomic<bool> displaced_{false};
   std::atomic<bool> claimed_{false};
   mutable std::mutex mutex_;  // guards the three below
   bool accepted_ = false;

@@ -2,20 +2,26 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace goal_alignment::ros_interface {
 
-/// A note on disk of the task that a node is at, so that one that was killed can say, when it is
-/// back, which task ended with it. A folder that can't be written to is complained of once. Of the
-/// solver thread, but for the constructor's and lost().
+/// A note on disk of the task that a node is at and of those that wait, so that a node that was
+/// killed can say, when it is back, which tasks ended with it. A folder that can't be written to is
+/// complained of once. Thread-safe.
 class UnderWay {
  public:
   struct Task {
     std::string session_id;
     std::string task_id;
     std::string person;
+  };
+  struct Tasks {
+    std::optional<Task> running;
+    std::vector<Task> waiting;  ///< without a session
   };
   /// Takes one line for people.
   using Complain = std::function<void(const std::string&)>;
@@ -25,13 +31,19 @@ class UnderWay {
 
   void begin(const Task& task);
   void end();
+  /// These wait from now on.
+  void wait(std::vector<Task> tasks);
 
-  /// The task that a run of the node before this one did not end; it is told once.
-  std::optional<Task> lost();
+  /// The tasks that a run of the node before this one did not end; they are told once.
+  Tasks lost();
 
  private:
+  void write();  // needs mutex_
+
   const std::string file_;
   const Complain complain_;
+  std::mutex mutex_;  // guards the three below
+  Tasks now_;
   bool noted_ = false;
   bool complained_ = false;
 };

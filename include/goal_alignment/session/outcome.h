@@ -80,11 +80,11 @@ struct Outcome {
                                  ///< empty: something that is no literal
 };
 
-/// The word of the command line's JSON: plan_found no_plan undecided cancelled invalid internal.
+/// The word of the command line's JSON: plan_found no_plan undecided canceled invalid internal.
 const char* outcomeWord(OutcomeCode code) noexcept;
 
 /// The exit status of the command line: 0 plan_found, 1 no_plan, 2 invalid, 3 undecided,
-/// 4 cancelled, 5 internal.
+/// 4 canceled, 5 internal.
 int exitStatus(OutcomeCode code) noexcept;
 
 /// The one place where an exception becomes an outcome.

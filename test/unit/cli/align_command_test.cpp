@@ -297,7 +297,7 @@ TEST(Interactive, CtrlCWhileAQuestionIsOpenCancels) {
   program.signal(SIGINT);
   const Ended ended = program.waitWithInputOpen();
   EXPECT_EQ(ended.status, 4);
-  EXPECT_EQ(ended.json()["outcome"], "cancelled");
+  EXPECT_EQ(ended.json()["outcome"], "canceled");
   EXPECT_EQ(ended.json()["code"], 50);
 }
 

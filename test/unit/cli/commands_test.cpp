@@ -339,7 +339,7 @@ TEST_F(PlanCommand, CtrlCExitsWithFour) {
   program.signal(SIGINT);
   const Ended ended = program.wait();
   EXPECT_EQ(ended.status, 4);
-  EXPECT_EQ(ended.json()["outcome"], "cancelled");
+  EXPECT_EQ(ended.json()["outcome"], "canceled");
 }
 
 TEST_F(PlanCommand, ValidateNamesWhatIsWrong) {

@@ -171,6 +171,25 @@ TEST(Phrases, WordOrderAndCasesOfOtherLanguages) {
             "Ist es Ihnen wichtig, dass Folgendes gilt: der Kessel ist leer?");
 }
 
+TEST(Phrases, WhatHasNoFormAfterThatIsSaidAsOneSaysItThere) {
+  const Phrases german =
+      Phrases::fromYaml("language: de\npredicates: {closed: \"das Tor ist zu\"}\n", "f");
+  const std::vector<Spoken> thats = {
+      {"(closed)", "dass Folgendes gilt: das Tor ist zu"},
+      {"(not (closed))", "dass Folgendes nicht gilt: das Tor ist zu"},
+      {"(loud)", "dass „loud“ gilt"},
+      {"(not (loud))", "dass „loud“ nicht gilt"},
+      {"(loud bell)", "dass „loud“ für bell gilt"},
+      {"(not (loud bell))", "dass „loud“ für bell nicht gilt"},
+      {"(= bell gong)", "dass bell und gong dasselbe sind"},
+      {"(not (= bell gong))", "dass bell und gong nicht dasselbe sind"},
+  };
+  for (const Spoken& row : thats)
+    EXPECT_EQ(german.that(Literal::parse(row.pddl)), row.expected) << row.pddl;
+  EXPECT_EQ(german.clause(Literal::parse("(not (closed))")),
+            "Folgendes gilt nicht: das Tor ist zu");
+}
+
 TEST(Phrases, SingleTextsOfALanguageAreReplaced) {
   const Phrases own = Phrases::fromYaml("frames: {certain: \"No doubt.\"}\nlanguage: de\n", "f");
   EXPECT_EQ(own.say("certain"), "No doubt.");

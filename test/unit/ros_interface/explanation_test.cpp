@@ -51,6 +51,19 @@ bool says(const Explain::Response& response, const std::string& text) {
   return response.text.find(text) != std::string::npos;
 }
 
+TEST(ExplainWhy, theOutcomeWhereTheGoalCannotBeHad) {
+  Explained ended = sample();
+  ended.open_question.clear();
+  ended.snapshot.state = session::State::Done;
+  ended.outcome = session::OutcomeCode::GoalUnsolvable;
+  ended.human_plan_break = "step 2 (climb) can't be done";
+  const auto response = explainWhy(ended, {});
+  EXPECT_TRUE(response.known);
+  EXPECT_EQ(response.text,
+            "I can't do what you asked for: \"g\" holds. That is certain. Your plan does not work "
+            "for me: step 2 (climb) can't be done.");
+}
+
 TEST(ExplainWhy, theOpenQuestionWhereNothingIsNamed) {
   const auto response = explainWhy(sample(), {});
   EXPECT_TRUE(response.known);

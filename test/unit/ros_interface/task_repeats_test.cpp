@@ -39,9 +39,14 @@ TEST_F(TaskRepeatsTest, aStreamStaysOneWishWhenTheTaskIsDone) {
 
 TEST_F(TaskRepeatsTest, aStreamOfATaskThatTakesNoTimeIsOneWishToo) {
   EXPECT_EQ(after(0, false), Verdict::Wanted);
-  EXPECT_EQ(after(100, false), Verdict::Wanted) << "pressed again after the result";
   EXPECT_EQ(after(100, false), Verdict::RepeatedToTell);
   EXPECT_EQ(after(100, false), Verdict::Repeated);
+}
+
+TEST_F(TaskRepeatsTest, whoPressesAgainAfterTheResultIsHeardOnce) {
+  EXPECT_EQ(after(0, false), Verdict::Wanted);
+  EXPECT_EQ(after(600, false), Verdict::Wanted);
+  EXPECT_EQ(after(600, false), Verdict::RepeatedToTell);
 }
 
 TEST_F(TaskRepeatsTest, whoWantsItAgainAfterItIsDoneGetsIt) {

@@ -31,13 +31,13 @@ class UnderWayTest : public testing::Test {
 
 TEST_F(UnderWayTest, aTaskThatDidNotEndIsToldOnce) {
   noteOf().begin({"s", "tidy", "Ann \"\n\xff"});
-  EXPECT_FALSE(noteOf("/another").lost());
-  const auto lost = noteOf().lost();
+  EXPECT_FALSE(noteOf("/another").lost().running);
+  const auto lost = noteOf().lost().running;
   ASSERT_TRUE(lost);
   EXPECT_EQ(lost->session_id, "s");
   EXPECT_EQ(lost->task_id, "tidy");
   EXPECT_EQ(lost->person.substr(0, 6), "Ann \"\n");
-  EXPECT_FALSE(noteOf().lost());
+  EXPECT_FALSE(noteOf().lost().running);
   EXPECT_TRUE(complaints_.empty());
 }
 
@@ -46,17 +46,44 @@ TEST_F(UnderWayTest, aTaskThatEndedIsNotLost) {
   note.begin({"s", "", ""});
   note.begin({"t", "", ""});
   note.end();
-  EXPECT_FALSE(noteOf().lost());
+  EXPECT_FALSE(noteOf().lost().running);
   note.end();
   EXPECT_TRUE(complaints_.empty());
+}
+
+TEST_F(UnderWayTest, tasksThatWaitedAreToldAfterTheOneThatRan) {
+  {
+    UnderWay note = noteOf();
+    note.wait({{"", "tidy", "Ann"}, {"", "tea", ""}});
+    note.begin({"s", "sweep", "Bob"});
+    note.wait({{"", "tea", ""}});
+  }
+  const UnderWay::Tasks lost = noteOf().lost();
+  ASSERT_TRUE(lost.running);
+  EXPECT_EQ(lost.running->task_id, "sweep");
+  ASSERT_EQ(lost.waiting.size(), 1U);
+  EXPECT_EQ(lost.waiting[0].task_id, "tea");
+  EXPECT_TRUE(noteOf().lost().waiting.empty());
+}
+
+TEST_F(UnderWayTest, oneThatWaitsStaysNotedWhenTheOtherEnds) {
+  {
+    UnderWay note = noteOf();
+    note.begin({"s", "sweep", "Bob"});
+    note.wait({{"", "tea", ""}});
+    note.end();
+  }
+  const UnderWay::Tasks lost = noteOf().lost();
+  EXPECT_FALSE(lost.running);
+  EXPECT_EQ(lost.waiting.size(), 1U);
 }
 
 TEST_F(UnderWayTest, aNoteThatNobodyCanReadIsComplainedOfAndGoes) {
   noteOf().begin({"s", "", ""});
   std::ofstream(folder_ / "r.json") << "{";
-  EXPECT_FALSE(noteOf().lost());
+  EXPECT_FALSE(noteOf().lost().running);
   EXPECT_EQ(complaints_.size(), 1U);
-  EXPECT_FALSE(noteOf().lost());
+  EXPECT_FALSE(noteOf().lost().running);
   EXPECT_EQ(complaints_.size(), 1U);
 }
 

@@ -24,7 +24,7 @@ struct Row {
 // The tables of INTERFACE.md: outcomes and exit statuses.
 TEST(Outcome, EveryCodeHasItsWordAndExitStatus) {
   const std::vector<Row> table = {
-      {0, "internal", 5},   {1, "plan_found", 0}, {50, "cancelled", 4}, {51, "no_plan", 1},
+      {0, "internal", 5},   {1, "plan_found", 0}, {50, "canceled", 4},  {51, "no_plan", 1},
       {52, "no_plan", 1},   {53, "undecided", 3}, {54, "undecided", 3}, {55, "undecided", 3},
       {60, "undecided", 3}, {61, "undecided", 3}, {62, "undecided", 3}, {63, "undecided", 3},
       {64, "undecided", 3}, {65, "undecided", 3}, {70, "invalid", 2},   {71, "invalid", 2},
