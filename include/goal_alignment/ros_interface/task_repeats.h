@@ -21,8 +21,8 @@ class TaskRepeats {
   };
 
   /// A task was published. `under_way`: an equal one is. What was repeated while it was under way
-  /// stays one wish for as long as it is repeated without a pause; so does what comes for the third
-  /// time without one.
+  /// stays one wish for as long as it is repeated without a pause; so does what comes again faster
+  /// than a person presses a button, or for the third time without a pause.
   Verdict judge(const std::string& publisher, const std::string& identity, bool under_way,
                 Clock::time_point now);
 
