@@ -10,7 +10,7 @@ namespace goal_alignment::phrasing {
 
 namespace {
 
-/// What the program says of its limits, of tf and of a step's failure is in English.
+/// These texts hold details that the program gives in English only: of limits, tf and failed steps.
 bool mayBeLeftOut(const std::string& name) {
   const std::set<std::string> names = {"out_of_time_in", "out_of_memory_in", "out_of_budget_in",
                                        "facts_unknown", "story_trouble"};

@@ -38,7 +38,7 @@ TaskQueue<std::shared_ptr<GoalTicket>>::Entry entryFor(const std::shared_ptr<Goa
   return entry;
 }
 
-// To stand before "waits"; a task needs no name.
+// The subject of a sentence, since a task may have no id.
 std::string named(const GoalTicket& ticket) {
   const std::string& task_id = ticket.goal().task.task_id;
   return task_id.empty() ? "the task" : "task " + task_id;

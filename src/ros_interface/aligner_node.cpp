@@ -202,7 +202,8 @@ void AlignerNode::hearExecutor(const actionlib_msgs::GoalStatusArray::ConstPtr& 
   align_.lookAtExecutor();
 }
 
-// As for the task under way, nothing is kept where nothing is to be found again.
+// With journal_expiry 0 nothing is kept on disk, as for the task under way. Reads that one
+// parameter, not all of NodeOptions, since the queue is locked meanwhile.
 void AlignerNode::noteWaiting(const std::vector<WaitingTask>& tasks) {
   double journal_expiry = NodeOptions().journal_expiry;
   private_node_.getParam("journal_expiry", journal_expiry);

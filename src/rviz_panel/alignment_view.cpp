@@ -84,8 +84,6 @@ QWidget* AlignmentView::tabs() {
   tabs_->setObjectName(QStringLiteral("tabs"));
   tabs_->setUsesScrollButtons(false);
   tabs_->setElideMode(Qt::ElideRight);
-  // What the tables would like to show must not squeeze the cards above them.
-  tabs_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   auto* page = new QWidget(tabs_);
   candidates_ = new CandidateTable(page);
   filter_ = new QLineEdit(page);

@@ -269,8 +269,8 @@ predicates:
   quiet:
     affirmative: "{0} bleibt leise"
     that: "{0} leise bleibt"
-objects: {hall: "der Flur"}
-actions: {sweep: "{0} fegen"}
+objects: {hall: {name: "der Flur", akk: "den Flur"}}
+actions: {sweep: "{0:akk} fegen"}
 )");
   const Parameter phrases("phrases", file("phrases.yaml"));
   set("vocabulary", ros::package::getPath("goal_alignment") + "/config/vocabulary/de.yaml");
@@ -285,7 +285,7 @@ actions: {sweep: "{0} fegen"}
   EXPECT_EQ(result.outcome, AlignResult::EXPECTATION_UNACHIEVABLE);
   EXPECT_TRUE(says(result.message + " Soll ich das tun?"));
   EXPECT_TRUE(speakUntil("Meinetwegen!", [this] { return timesSaid("In Ordnung.") > 0; }));
-  EXPECT_TRUE(says("Er hat einen Schritt: der Flur fegen."));
+  EXPECT_TRUE(says("Er hat einen Schritt: den Flur fegen."));
 }
 
 TEST_F(Speech, leavesItWhereNoAlternativeIsWanted) {

@@ -130,7 +130,7 @@ TEST(CostDifferences, ASideEffectThatWasAvoidedExplainsThePlan) {
     EXPECT_EQ(values[f], fluents[f].text() == "(lit)" ? 1 : 0) << fluents[f].text();
 }
 
-// Time of their own that is over ends the searches alone, and nothing else.
+// When the time for searches is up, the bounds are used and nothing is thrown.
 RC_GTEST_PROP(CostDifferences, WithoutTimeForSearchesTheBoundsDo, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
