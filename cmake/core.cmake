@@ -13,7 +13,7 @@ if(NOT CADICAL_INCLUDE_DIR OR NOT CADICAL_LIBRARY)
 endif()
 
 set(core_floors
-  common pddl task validation grounding heuristics whereabouts search achievability alignment questions session
+  common pddl task validation grounding heuristics spatial_facts search achievability alignment questions session
   phrasing)
 set(core_sources)
 foreach(floor IN LISTS core_floors)

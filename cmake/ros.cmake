@@ -42,28 +42,41 @@ function(goal_alignment_ros_target target)
   add_dependencies(${target} ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
 endfunction()
 
-# Floor 8.
-file(GLOB ros_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/ros_interface/*.cpp)
-add_library(goal_alignment_ros STATIC ${ros_sources})
-goal_alignment_ros_target(goal_alignment_ros)
-target_link_libraries(goal_alignment_ros PUBLIC goal_alignment_core ${catkin_LIBRARIES}
-  PRIVATE fmt::fmt nlohmann_json::nlohmann_json yaml-cpp)
+# Floors 8 and 9: a library for each room.
+function(goal_alignment_room room)
+  file(GLOB room_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
+  add_library(goal_alignment_${room} STATIC ${room_sources})
+  goal_alignment_ros_target(goal_alignment_${room})
+  target_link_libraries(goal_alignment_${room} PUBLIC goal_alignment_core ${catkin_LIBRARIES}
+    PRIVATE fmt::fmt)
+endfunction()
+foreach(room IN ITEMS ros_common any_message aligner dialogues execution)
+  goal_alignment_room(${room})
+endforeach()
+target_link_libraries(goal_alignment_any_message PUBLIC yaml-cpp)
+target_link_libraries(goal_alignment_aligner PUBLIC goal_alignment_ros_common
+  PRIVATE nlohmann_json::nlohmann_json yaml-cpp)
+target_link_libraries(goal_alignment_dialogues PUBLIC goal_alignment_ros_common PRIVATE yaml-cpp)
+target_link_libraries(goal_alignment_execution PUBLIC
+  goal_alignment_any_message goal_alignment_ros_common yaml-cpp)
 
-# Floor 9.
-file(GLOB execution_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/execution/*.cpp)
-add_library(goal_alignment_execution STATIC ${execution_sources})
-goal_alignment_ros_target(goal_alignment_execution)
-target_link_libraries(goal_alignment_execution PUBLIC goal_alignment_ros yaml-cpp PRIVATE fmt::fmt)
+# Floor 10: one small main a program; what narrates the demo is a library for its unit tests.
+set(demo_parts demo_narrator.cpp task_file.cpp)
+list(TRANSFORM demo_parts PREPEND src/nodes/)
+add_library(goal_alignment_demo STATIC ${demo_parts})
+goal_alignment_ros_target(goal_alignment_demo)
+target_link_libraries(goal_alignment_demo PUBLIC goal_alignment_ros_common PRIVATE fmt::fmt yaml-cpp)
 
-# Floor 10: one small main a program.
 set(goal_alignment_nodes
   goal_alignment_node console_dialogue scripted_dialogue speech_dialogue plan_executor simulated_executor
   demo_task)
 foreach(node IN LISTS goal_alignment_nodes)
   add_executable(${node} src/nodes/${node}.cpp)
   goal_alignment_ros_target(${node})
-  target_link_libraries(${node} PRIVATE goal_alignment_execution goal_alignment_ros fmt::fmt)
+  target_link_libraries(${node} PRIVATE goal_alignment_aligner goal_alignment_dialogues
+    goal_alignment_execution fmt::fmt)
 endforeach()
+target_link_libraries(demo_task PRIVATE goal_alignment_demo)
 
 install(TARGETS goal_alignment_core
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}

@@ -3,18 +3,21 @@
 find_package(rostest REQUIRED)
 find_package(roslaunch REQUIRED)
 
-file(GLOB ros_unit_tests CONFIGURE_DEPENDS
-  ${PROJECT_SOURCE_DIR}/test/unit/ros_interface/*_test.cpp
-  ${PROJECT_SOURCE_DIR}/test/unit/execution/*_test.cpp)
+set(ros_unit_tests)
+foreach(room IN ITEMS ros_common any_message aligner dialogues execution nodes)
+  file(GLOB room_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/unit/${room}/*_test.cpp)
+  list(APPEND ros_unit_tests ${room_tests})
+endforeach()
 catkin_add_gtest(goal_alignment_ros_unit_tests ${ros_unit_tests})
 goal_alignment_ros_target(goal_alignment_ros_unit_tests)
 # -O1, here and below: to compile the tests takes longer than to run them.
 target_compile_options(goal_alignment_ros_unit_tests PRIVATE -O1)
-target_include_directories(goal_alignment_ros_unit_tests PRIVATE ${PROJECT_SOURCE_DIR}/test)
+target_include_directories(goal_alignment_ros_unit_tests PRIVATE
+  ${PROJECT_SOURCE_DIR}/test ${PROJECT_SOURCE_DIR}/src)
 target_compile_definitions(goal_alignment_ros_unit_tests PRIVATE
   GOAL_ALIGNMENT_SOURCE_ROOT="${PROJECT_SOURCE_DIR}")
-target_link_libraries(goal_alignment_ros_unit_tests
-  goal_alignment_execution goal_alignment_ros GTest::gtest_main)
+target_link_libraries(goal_alignment_ros_unit_tests goal_alignment_aligner goal_alignment_dialogues
+  goal_alignment_execution goal_alignment_demo GTest::gtest_main)
 
 # One program for all scenarios; each .test file starts its own graph and picks its own.
 file(GLOB scenario_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/ros/*.cpp)

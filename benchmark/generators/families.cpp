@@ -12,8 +12,8 @@ Models shortOfCharge(int size, RandomSource& /*random*/) {
 
 }  // namespace
 
-const std::vector<Family>& families() {
-  static const std::vector<Family> all = {
+const std::vector<MonotoneDnf>& families() {
+  static const std::vector<MonotoneDnf> all = {
       {"crates", crates, true, {4, 6, 8, 10, 12}},
       {"parcels", parcels, true, {2, 4, 6, 8, 12}},
       {"lifts", lifts, true, {2, 4, 6, 8, 10}},
@@ -28,9 +28,9 @@ const std::vector<Family>& families() {
   return all;
 }
 
-const Family& familyCalled(const std::string& name) {
+const MonotoneDnf& familyCalled(const std::string& name) {
   std::string known;
-  for (const Family& family : families()) {
+  for (const MonotoneDnf& family : families()) {
     if (family.name == name) return family;
     known += " " + family.name;
   }

@@ -60,7 +60,7 @@ Models household(int size, RandomSource& random);
 /// A home in the domain of config/domains/home, see home.h. size: things that lie about.
 Models home(int size, RandomSource& random);
 
-struct Family {
+struct MonotoneDnf {
   std::string name;
   Models (*make)(int size, RandomSource& random);
   bool solvable = true;
@@ -68,9 +68,9 @@ struct Family {
   bool formulas = false;   ///< its domain has more than literals, so that it can't be misread
 };
 
-const std::vector<Family>& families();
+const std::vector<MonotoneDnf>& families();
 
 /// Throws std::invalid_argument, which names the families there are.
-const Family& familyCalled(const std::string& name);
+const MonotoneDnf& familyCalled(const std::string& name);
 
 }  // namespace goal_alignment::benchmarks

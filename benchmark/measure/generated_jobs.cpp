@@ -14,7 +14,7 @@ void align(const AlignmentInstance& instance, const DialogueOptions& dialogue,
   measureAlignment({instance.input(), instance.true_goal, dialogue}, limits, record, save);
 }
 
-Job familyCall(const Family& family, int size, std::uint64_t seed, CallKind kind) {
+Job familyCall(const MonotoneDnf& family, int size, std::uint64_t seed, CallKind kind) {
   const auto work = [&family, size, seed, kind](const MeasureLimits& limits, Record& record,
                                                 const Save&) {
     RandomSource random(seed);
@@ -51,7 +51,7 @@ Job homeJob(int size, const Truth& truth, std::uint64_t seed, const DialogueOpti
 
 std::vector<Job> familyCalls(std::uint64_t seed) {
   std::vector<Job> jobs;
-  for (const Family& family : families()) {
+  for (const MonotoneDnf& family : families()) {
     for (const int size : family.sizes) {
       jobs.push_back(familyCall(family, size, seed, CallKind::First));
       if (family.solvable) jobs.push_back(familyCall(family, size, seed, CallKind::Optimal));
@@ -62,7 +62,7 @@ std::vector<Job> familyCalls(std::uint64_t seed) {
 
 std::vector<Job> familyAlignments(std::uint64_t seed, const DialogueOptions& dialogue) {
   std::vector<Job> jobs;
-  for (const Family& family : families()) {
+  for (const MonotoneDnf& family : families()) {
     if (!family.solvable || family.formulas) continue;
     for (const std::size_t step : {0U, 1U, 2U}) {
       const int size = family.sizes[step];

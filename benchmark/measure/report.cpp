@@ -104,13 +104,13 @@ std::string grownIn(const std::string& suite) {
 }
 
 std::string growthRow(const std::string& kind, const std::string& suite, const Records& records) {
-  constexpr int kFewest = 3;          // through two points there is always a line
-  constexpr double kLeastSpread = 3;  // tasks of one size say nothing of growth
+  constexpr int kFewest = 3;        // through two points there is always a line
+  constexpr double kMinSpread = 3;  // tasks of one size say nothing of growth
   const std::string x = grownIn(suite);
   const auto finished = std::count_if(records.begin(), records.end(), isFinished);
   const double exponent = growthExponent(records, x, "total");
   const double spread = factor(records, x);
-  if (finished < kFewest || spread < kLeastSpread || std::isnan(exponent)) return {};
+  if (finished < kFewest || spread < kMinSpread || std::isnan(exponent)) return {};
   return fmt::format("| {} | {} | {} | ×{:.3g} | ×{:.3g} | {:.2f} |\n", kind, suite, x, spread,
                      factor(records, "total"), exponent);
 }

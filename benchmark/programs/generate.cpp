@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
       "alignment, into DIR.");
   Arguments arguments;
   std::string families = "large-home";
-  for (const benchmarks::Family& family : benchmarks::families())
+  for (const benchmarks::MonotoneDnf& family : benchmarks::families())
     families += " " + family.name;
   app.add_option("FAMILY", arguments.family, "one of: " + families)->required();
   app.add_option("DIR", arguments.folder)->required();

@@ -23,13 +23,13 @@ namespace {
 
 /// Beyond so many operators a state takes so much longer that the searches get fewer of them.
 constexpr std::uint64_t kOperators = 2'500;
-constexpr std::uint64_t kLeastStates = 500;
+constexpr std::uint64_t kMinStates = 500;
 
 SearchBudget scaled(SearchBudget budget, std::uint64_t operators) {
   if (operators <= kOperators) return budget;
   for (std::uint64_t* states : {&budget.first_greedy, &budget.exhaustive, &budget.second_greedy,
                                 &budget.shrinking, &budget.parts, &budget.minimising})
-    *states = std::min(*states, std::max(*states * kOperators / operators, kLeastStates));
+    *states = std::min(*states, std::max(*states * kOperators / operators, kMinStates));
   return budget;
 }
 
@@ -201,7 +201,7 @@ std::optional<Check> Achievability::recall(const CandidateSet& set) const {
 Check Achievability::check(const CandidateSet& set, const Limits& limits) {
   if (const auto known = recall(set)) return *known;
   Check result = search(set, limits);
-  if (result.verdict == Verdict::Unknown) result = narrow(set, std::move(result), limits);
+  if (result.verdict == Verdict::Unknown) result = refineUnknown(set, std::move(result), limits);
   if (result.verdict == Verdict::Unknown) last_limit_ = result.limit;
   return result;
 }

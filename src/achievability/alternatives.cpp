@@ -15,11 +15,11 @@ namespace goal_alignment::achievability {
 namespace {
 
 /// Sets taken up in order before what is there is completed in a hurry.
-constexpr std::size_t kMostNodes = 5'000;
+constexpr std::size_t kMaxNodes = 5'000;
 
 /// No belief is so sure that giving it up would be out of the question, or cost nothing.
-constexpr double kLeastCost = 1e-9;
-constexpr double kMostCost = 50;
+constexpr double kMinCost = 1e-9;
+constexpr double kMaxCost = 50;
 
 /// A set that is to be given up, and what must stay on this branch: other branches give that up, so
 /// that none is met twice.
@@ -43,7 +43,7 @@ std::vector<double> costs(const std::vector<double>& belief) {
   std::vector<double> result;
   for (const double p : belief) {
     const double cost = -std::log1p(-std::min(p, 1.0));
-    result.push_back(std::clamp(cost, kLeastCost, kMostCost));
+    result.push_back(std::clamp(cost, kMinCost, kMaxCost));
   }
   return result;
 }
@@ -156,7 +156,7 @@ class Alternatives {
       if (monitor.poll() != LimitReason::None) break;
       const Node node = sets_.pop();
       if (sets_.superfluous(node.given_up)) continue;
-      if (!(taken < kMostNodes ? takeUp(node) : complete(node))) break;
+      if (!(taken < kMaxNodes ? takeUp(node) : complete(node))) break;
     }
     return std::move(sets_).found();
   }

@@ -24,7 +24,7 @@ namespace {
 constexpr int kMuchMore = 4;
 
 /// More conflicts than can be looked at one by one.
-constexpr std::size_t kMostConflicts = 10'000;
+constexpr std::size_t kMaxConflicts = 10'000;
 
 /// Whether our own budgets ended it, rather than a person or the clock.
 bool isBudget(LimitReason reason) {
@@ -211,7 +211,7 @@ void Achievability::suspect(const CandidateSet& set) {
 }
 
 /// Whether a small budget finds no plan for a part of a set that is open.
-bool Achievability::staysOpen(const CandidateSet& set, const Limits& limits) {
+bool Achievability::remainsUndecided(const CandidateSet& set, const Limits& limits) {
   if (const auto known = recall(set)) return known->verdict == Verdict::Unachievable;
   Check last;
   const auto found = searchGreedily(set, limits.withStates(budget_.shrinking), last);
@@ -232,14 +232,15 @@ std::optional<Check> Achievability::searchParts(const CandidateSet& set, const L
 }
 
 /// The budgets left a set open: looks for what in it makes it so, and suspects that.
-Check Achievability::narrow(const CandidateSet& set, Check last, const Limits& limits) {
+Check Achievability::refineUnknown(const CandidateSet& set, Check last, const Limits& limits) {
   // What a small budget leaves open may be no conflict, which a full search then tells. That
   // teaches something each time; but it takes its time, too.
   constexpr int kAttempts = 3;
   const CandidateSet all = set - always_true_;
   CandidateSet open = all;
   for (int attempt = 0; attempt < kAttempts && isBudget(last.limit); ++attempt) {
-    open = shrunk(all, [&](const CandidateSet& smaller) { return staysOpen(smaller, limits); });
+    open =
+        shrunk(all, [&](const CandidateSet& smaller) { return remainsUndecided(smaller, limits); });
     bool settled = searchParts(open, limits).has_value();
     if (!settled && open != all) settled = search(open, limits).verdict != Verdict::Unknown;
     if (const auto known = recall(set)) return *known;
@@ -279,7 +280,7 @@ bool Achievability::checkTogether(const std::vector<CandidateSet>& sets, const L
 }
 
 /// All conflicts at once, from the reachable states.
-bool Achievability::takeConflicts(const Limits& limits) {
+bool Achievability::importConflicts(const Limits& limits) {
   std::map<FactId, std::size_t> candidate_of;
   FactSet facts;
   for (std::size_t i = 0; i < facts_.size(); ++i) {
@@ -288,7 +289,7 @@ bool Achievability::takeConflicts(const Limits& limits) {
     facts.push_back(facts_[i]);
   }
   const search::MinimalConflicts found = symbolic_->minimalConflicts(
-      specified_, task::makeFactSet(std::move(facts)), kMostConflicts, limits);
+      specified_, task::makeFactSet(std::move(facts)), kMaxConflicts, limits);
   if (!found.all) return false;
   conflicts_.clearSuspectedWithin(~CandidateSet(facts_.size()));
   map_.reset();
@@ -310,7 +311,7 @@ bool Achievability::explore(const Limits& limits) {
   std::size_t together = 1;
   bool taken = false;
   for (std::uint64_t looked_at = 0; !complete_ && looked_at < budget_.open_sets;) {
-    if (knowsReachable() && !std::exchange(taken, true) && takeConflicts(limits)) return true;
+    if (knowsReachable() && !std::exchange(taken, true) && importConflicts(limits)) return true;
     const SubsetMap::Unexplored open = map().maximal(together, limits);
     if (open.limit != LimitReason::None) last_limit_ = open.limit;
     if (open.limit != LimitReason::None) return false;

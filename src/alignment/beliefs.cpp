@@ -21,8 +21,8 @@ using task::Cost;
 
 namespace {
 
-constexpr double kLeastBelief = 0.02;
-constexpr double kMostBelief = 0.98;
+constexpr double kMinBelief = 0.02;
+constexpr double kMaxBelief = 0.98;
 
 /// exp(−β·(Δ − least)): where `least` is the smallest difference of those that are summed up, large
 /// differences don't vanish together.
@@ -73,7 +73,7 @@ CheapestPrefixes cheapestPrefixes(const Problem& problem, const std::vector<Cost
 }
 
 /// Searches for less would find little, and setting them up takes as long: the bounds do as well.
-constexpr std::uint64_t kLeastStates = 200;
+constexpr std::uint64_t kMinStates = 200;
 /// The relaxed operators that all evaluations of LM-cut may look at together: about a second.
 constexpr std::uint64_t kEvaluationWork = 200'000'000;
 
@@ -96,7 +96,7 @@ class HumanCosts {
     std::uint64_t states = options.states_per_search;
     if (options.bounds_may_do) {
       states = std::min(states, kEvaluationWork / (size * queries_.size()));
-      if (states < kLeastStates) states = 0;
+      if (states < kMinStates) states = 0;
     }
     search_limits_ = limits.withStates(states).withSeconds(options.search_seconds);
   }
@@ -224,7 +224,7 @@ std::vector<double> beliefs(const Problem& problem, const std::vector<double>& d
       if (!problem.candidates[i].is_static) least = std::min(least, differences[i]);
     }
     // With static candidates alone there is nothing to share the expectation among.
-    if (std::isinf(least)) return std::vector<double>(differences.size(), kLeastBelief);
+    if (std::isinf(least)) return std::vector<double>(differences.size(), kMinBelief);
     result = weights(differences, options.beta, least);
     double sum = 0;
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -237,7 +237,7 @@ std::vector<double> beliefs(const Problem& problem, const std::vector<double>& d
                    [&](double difference) { return std::exp(-options.beta * difference); });
   }
   for (double& belief : result)
-    belief = std::clamp(belief, kLeastBelief, kMostBelief);
+    belief = std::clamp(belief, kMinBelief, kMaxBelief);
   return result;
 }
 

@@ -107,8 +107,8 @@ class Alignment {
     if (reply) {
       pass(*reply, question.fluents);
     } else if (session_.step() != session::State::Done) {  // Ctrl-C ends the read, too
-      session_.giveUpWaiting("there is nobody to answer whether " +
-                             session_.spelling(question.fluents.front()) + " matters");
+      session_.answerTimedOut("there is nobody to answer whether " +
+                              session_.spelling(question.fluents.front()) + " matters");
     }
   }
 

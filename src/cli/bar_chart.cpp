@@ -18,7 +18,7 @@ constexpr double kRight = 24;
 constexpr double kPanelTitle = 34;
 constexpr double kPlot = 180;
 constexpr double kLegendRow = 20;
-constexpr double kLeastPlotWidth = 520;
+constexpr double kMinPlotWidth = 520;
 constexpr double kSmall = 11;
 constexpr double kLetter = 6.2;  // about as wide as one is at that size
 constexpr std::size_t kLongestLabel = 24;
@@ -120,7 +120,7 @@ Layout::Layout(const BarChart& chart) {
   }
   const double gap = 14;
   const auto count = static_cast<double>(bars);
-  group = std::max({count * bar + gap, kLeastPlotWidth / static_cast<double>(groups), 2 * gap});
+  group = std::max({count * bar + gap, kMinPlotWidth / static_cast<double>(groups), 2 * gap});
   bar = std::min((group - gap) / count, 28.0);
   plot_width = group * static_cast<double>(groups);
   const auto places = legendPlaces(chart, plot_width, first_row);

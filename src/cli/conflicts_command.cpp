@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "goal_alignment/alignment/robot_side.h"
+#include "goal_alignment/alignment/robot_analysis.h"
 #include "goal_alignment/cli/commands.h"
 #include "goal_alignment/cli/instance.h"
 #include "goal_alignment/cli/interrupt.h"
@@ -52,7 +52,7 @@ int findConflicts(const ConflictsArguments& arguments) {
       pddl::readModel(input.human_domain, input.human_problem), {}, std::move(input.human_plan));
   achievability::SearchBudget budget;
   budget.open_sets = std::numeric_limits<std::uint64_t>::max();  // all are what is asked for
-  const alignment::RobotSide robot = alignment::makeRobotSide(problem, true, budget, limits);
+  const alignment::RobotAnalysis robot = alignment::analyseRobot(problem, true, budget, limits);
   const bool complete = robot.achievability->findAllConflicts(limits);
   const Json json = toJson(problem, *robot.achievability);
   if (arguments.json) {

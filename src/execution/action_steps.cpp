@@ -4,14 +4,14 @@
 
 #include "goal_alignment/execution/graph_view.h"
 #include "goal_alignment/execution/steps.h"
-#include "goal_alignment/ros_interface/stamp.h"
+#include "goal_alignment/ros_common/stamp.h"
 #include "success.h"
 
 namespace goal_alignment::execution {
 namespace {
 
 using actionlib_msgs::GoalStatus;
-using End = ActionClient::End;
+using End = any_message::ActionClient::End;
 
 const char* wordFor(std::uint8_t status) {
   switch (status) {
@@ -52,31 +52,33 @@ StepEnd treat(const StepTry& attempt, const std::string& name, const End& end) {
 
 }  // namespace
 
-ActionClient& ActionSteps::clientOf(const std::string& name, const ActionDefinition& type) {
+any_message::ActionClient& ActionSteps::clientOf(const std::string& name,
+                                                 const any_message::ActionDefinition& type) {
   auto& client = clients_[node_.resolveName(name)];
   if (client && client->type().md5 != type.goal_message_md5) {
     // The mapping was corrected. A topic can't be advertised with two types.
     client.reset();
   }
   if (!client) {
-    client = std::make_unique<ActionClient>(
+    client = std::make_unique<any_message::ActionClient>(
         node_, name,
-        ActionClient::GoalType{type.type + "ActionGoal", type.goal_message_md5,
-                               type.goal_message_text},
+        any_message::ActionClient::GoalType{type.type + "ActionGoal", type.goal_message_md5,
+                                            type.goal_message_text},
         wait_);
   }
   return *client;
 }
 
-void ActionSteps::approach(const StepRule& rule, const Arguments& arguments) {
+void ActionSteps::approach(const StepRule& rule, const any_message::Arguments& arguments) {
   clientOf(arguments.fill(rule.name), *rule.action);
 }
 
-std::string ActionSteps::missing(const StepRule& rule, const Arguments& arguments,
-                                 Clock::time_point until) {
+std::string ActionSteps::missing(const StepRule& rule, const any_message::Arguments& arguments,
+                                 any_message::Clock::time_point until) {
   const std::string name = arguments.fill(rule.name);
-  const ActionClient& client = clientOf(name, *rule.action);
-  if (wait_.waitUntil(until, [&] { return client.connected(); }) == WaitPoint::Woken::Holds)
+  const any_message::ActionClient& client = clientOf(name, *rule.action);
+  if (wait_.waitUntil(until, [&] { return client.connected(); }) ==
+      any_message::WaitPoint::Woken::Holds)
     return "";
   const auto graph = GraphView::now();
   return fmt::format("nobody offers the action {} of type {}{}", name, rule.action->type,
@@ -84,14 +86,14 @@ std::string ActionSteps::missing(const StepRule& rule, const Arguments& argument
 }
 
 StepEnd ActionSteps::run(const StepTry& attempt) {
-  const ActionDefinition& type = *attempt.rule.action;
+  const any_message::ActionDefinition& type = *attempt.rule.action;
   const std::string name = attempt.arguments.fill(attempt.rule.name);
-  const Bytes goal = encode(attempt.types, type.goal, attempt.rule.fields, attempt.arguments,
-                            ros_interface::stampNow());
+  const any_message::Bytes goal = any_message::encode(attempt.types, type.goal, attempt.rule.fields,
+                                                      attempt.arguments, ros_common::stampNow());
   attempt.dispatch();
-  const ActionClient::Limits limits{attempt.rule.server_patience, attempt.options.cancel_patience,
-                                    attempt.end};
-  return treat(attempt, name, clientOf(name, type).run(goal, limits));
+  const any_message::ActionClient::Limits limits{attempt.rule.server_patience,
+                                                 attempt.options.cancel_patience, attempt.end};
+  return treat(attempt, name, clientOf(name, type).run(goal, ros_common::stampNow(), limits));
 }
 
 }  // namespace goal_alignment::execution

@@ -13,14 +13,14 @@
 #include "goal_alignment/AlignAction.h"
 #include "goal_alignment/GetFacts.h"
 #include "goal_alignment/SetFacts.h"
-#include "goal_alignment/ros_interface/message_conversion.h"
-#include "goal_alignment/ros_interface/node_constants.h"
-#include "goal_alignment/ros_interface/stamp.h"
+#include "goal_alignment/ros_common/message_conversion.h"
+#include "goal_alignment/ros_common/names.h"
+#include "goal_alignment/ros_common/stamp.h"
 
 namespace goal_alignment::execution {
 namespace {
 
-using Kind = ServiceCaller::Reply::Kind;
+using Kind = any_message::ServiceCaller::Reply::Kind;
 
 constexpr double kServiceSeconds = 10;   // for an answer; it is a look-up
 constexpr double kLastWordSeconds = 1;   // for one that a cancel must not keep from being told
@@ -34,20 +34,20 @@ std::string ownGoals() {
 std::vector<GroundName> atomsOf(const std::vector<Fluent>& fluents) {
   std::vector<GroundName> atoms;
   for (const Fluent& fluent : fluents)
-    atoms.push_back(ros_interface::toLiteral(fluent).atom);
+    atoms.push_back(ros_common::toLiteral(fluent).atom);
   std::sort(atoms.begin(), atoms.end());
   return atoms;
 }
 
 }  // namespace
 
-AlignerLink::AlignerLink(ros::NodeHandle node, const std::string& aligner, ServiceCaller& services,
-                         WaitPoint& wait)
+AlignerLink::AlignerLink(ros::NodeHandle node, const std::string& aligner,
+                         any_message::ServiceCaller& services, any_message::WaitPoint& wait)
     : node_(std::move(node)),
       aligner_(node_.resolveName(aligner) + "/"),
       services_(services),
       wait_(wait),
-      align_(node_, aligner_ + ros_interface::kAlignAction,
+      align_(node_, aligner_ + ros_common::kAlignAction,
              {ros::message_traits::datatype<AlignActionGoal>(),
               ros::message_traits::md5sum<AlignActionGoal>(),
               ros::message_traits::definition<AlignActionGoal>()},
@@ -63,7 +63,7 @@ std::optional<typename Service::Response> AlignerLink::ask(const std::string& na
                                                            const typename Service::Request& request,
                                                            Kind& kind) {
   for (int i = 0; i < kServiceTries; ++i) {
-    const auto end = deadlineIn(hangs_ ? kLastWordSeconds : kServiceSeconds);
+    const auto end = any_message::deadlineIn(hangs_ ? kLastWordSeconds : kServiceSeconds);
     auto response = services_.call<Service>(name, request, 0, end, &kind);
     if (kind != Kind::Interrupted) hangs_ = kind == Kind::TimedOut || kind == Kind::TooMany;
     if (response || kind != Kind::Failed) return response;
@@ -76,7 +76,7 @@ std::string AlignerLink::life() const {
   XmlRpc::XmlRpcValue response;
   XmlRpc::XmlRpcValue address;  // its port is another one after each start
   request[0] = ros::this_node::getName();
-  request[1] = aligner_ + ros_interface::kSetFactsService;
+  request[1] = aligner_ + ros_common::kSetFactsService;
   const bool is_there = ros::master::execute("lookupService", request, response, address, false);
   return is_there && address.getType() == XmlRpc::XmlRpcValue::TypeString
              ? static_cast<std::string&>(address)
@@ -86,9 +86,9 @@ std::string AlignerLink::life() const {
 AlignerLink::Facts AlignerLink::facts() {
   Facts facts;
   Kind kind = Kind::Failed;
-  const auto response = ask<GetFacts>(aligner_ + ros_interface::kGetFactsService, {}, kind);
+  const auto response = ask<GetFacts>(aligner_ + ros_common::kGetFactsService, {}, kind);
   if (!response) {
-    facts.message = fmt::format("{}{} does not answer", aligner_, ros_interface::kGetFactsService);
+    facts.message = fmt::format("{}{} does not answer", aligner_, ros_common::kGetFactsService);
     return facts;
   }
   facts.known = response->known != 0;
@@ -108,12 +108,13 @@ bool AlignerLink::set(const std::vector<Literal>& changes, std::string& refusal)
     request.facts.push_back(fluent);
   }
   Kind kind = Kind::Failed;
-  const std::string service = aligner_ + ros_interface::kSetFactsService;
+  const std::string service = aligner_ + ros_common::kSetFactsService;
   auto response = ask<SetFacts>(service, request, kind);
   // A cancel ends the plan, but what the steps have changed stays so.
   if (kind == Kind::Interrupted) {
-    response = services_.call<SetFacts>(service, request, 0, deadlineIn(kLastWordSeconds), &kind,
-                                        ServiceCaller::On::End);
+    response =
+        services_.call<SetFacts>(service, request, 0, any_message::deadlineIn(kLastWordSeconds),
+                                 &kind, any_message::ServiceCaller::On::End);
   }
   if (response && !response->accepted) refusal = response->message;
   return response.has_value();
@@ -137,20 +138,21 @@ bool AlignerLink::isOwnGoal(const std::string& goal_id) {
   return goal_id.rfind(ownGoals(), 0) == 0;
 }
 
-std::optional<AlignResult> AlignerLink::planAnew(const std::string& session_id,
-                                                 double cancel_patience, std::string& why_not) {
-  using EndKind = ActionClient::End::Kind;
+std::optional<AlignResult> AlignerLink::replan(const std::string& session_id,
+                                               double cancel_patience, std::string& why_not) {
+  using EndKind = any_message::ActionClient::End::Kind;
   AlignGoal goal;
   goal.continue_session = session_id;
   goal.max_questions = -1;
   goal.unsure_policy = AlignGoal::KEEP;
-  Bytes bytes(ros::serialization::serializationLength(goal));
+  any_message::Bytes bytes(ros::serialization::serializationLength(goal));
   ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   ros::serialization::serialize(out, goal);
   // The clock may stand still, and an earlier run of this node may have sent goals, too.
   const std::string id =
-      fmt::format("{}{}-{}", ownGoals(), ros_interface::stampNow().toNSec(), ++goals_sent_);
-  const auto end = align_.run(bytes, {kAlignerPatience, cancel_patience, TimeLimit()}, id);
+      fmt::format("{}{}-{}", ownGoals(), ros_common::stampNow().toNSec(), ++goals_sent_);
+  const auto end = align_.run(bytes, ros_common::stampNow(),
+                              {kAlignerPatience, cancel_patience, any_message::TimeLimit()}, id);
   if (end.kind == EndKind::NoServer) {
     why_not = "there is no aligner to plan anew";
   } else if (end.kind != EndKind::Ended || !end.result) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "goal_alignment/execution/aligner_link.h"
-#include "goal_alignment/ros_interface/node_constants.h"
+#include "goal_alignment/ros_common/names.h"
 
 namespace goal_alignment::execution {
 namespace {
@@ -22,7 +22,7 @@ bool hasPlan(const AlignActionResult& result) {
 
 AutoExecution::AutoExecution(ros::NodeHandle node, const std::string& aligner, Submit submit)
     : submit_(std::move(submit)),
-      results_(node.subscribe(aligner + "/" + ros_interface::kAlignAction + "/result", kQueueSize,
+      results_(node.subscribe(aligner + "/" + ros_common::kAlignAction + "/result", kQueueSize,
                               &AutoExecution::hear, this)) {}
 
 void AutoExecution::hear(const AlignActionResult::ConstPtr& result) {

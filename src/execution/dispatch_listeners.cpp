@@ -20,7 +20,7 @@ ros::Publisher DispatchListeners::advertise(ros::NodeHandle node) {
       const std::lock_guard<std::mutex> lock(mutex_);
       Links& links = links_[listener.getSubscriberName()];
       links.count += more;
-      if (more < 0) links.last_cut = Clock::now();
+      if (more < 0) links.last_cut = any_message::Clock::now();
     };
   };
   return node.advertise<ActionDispatch>(kActionDispatchTopic, kQueueSize, count(1), count(-1));
@@ -30,7 +30,7 @@ bool DispatchListeners::hasLeft(const std::string& node) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = links_.find(node);
   return found != links_.end() && found->second.count <= 0 &&
-         Clock::now() > found->second.last_cut + kRelinking;
+         any_message::Clock::now() > found->second.last_cut + kRelinking;
 }
 
 }  // namespace goal_alignment::execution

@@ -33,7 +33,7 @@ bool isKnown(int status) {
 }  // namespace
 
 DispatchedSteps::DispatchedSteps(ros::NodeHandle node, ros::Publisher dispatches,
-                                 DispatchListeners& listeners, WaitPoint& wait)
+                                 DispatchListeners& listeners, any_message::WaitPoint& wait)
     : dispatches_(std::move(dispatches)),
       listeners_(listeners),
       wait_(wait),
@@ -147,18 +147,20 @@ StepEnd DispatchedSteps::treat(const StepTry& attempt, const ActionFeedback& fee
   }
 }
 
-std::string DispatchedSteps::missing(const StepRule& /*rule*/, const Arguments& /*arguments*/,
-                                     Clock::time_point until) {
+std::string DispatchedSteps::missing(const StepRule& /*rule*/,
+                                     const any_message::Arguments& /*arguments*/,
+                                     any_message::Clock::time_point until) {
   const auto isListening = [this] { return dispatches_.getNumSubscribers() > 0; };
-  return wait_.waitUntil(until, isListening) == WaitPoint::Woken::Holds
+  return wait_.waitUntil(until, isListening) == any_message::WaitPoint::Woken::Holds
              ? ""
              : fmt::format("nobody hears {}", dispatches_.getTopic());
 }
 
 StepEnd DispatchedSteps::run(const StepTry& attempt) {
-  using Woken = WaitPoint::Woken;
+  using Woken = any_message::WaitPoint::Woken;
   const auto isListening = [this] { return dispatches_.getNumSubscribers() > 0; };
-  const TimeLimit patience = attempt.end.capped(deadlineIn(attempt.rule.server_patience));
+  const any_message::TimeLimit patience =
+      attempt.end.capped(any_message::deadlineIn(attempt.rule.server_patience));
   const Woken found = wait_.waitUntil(patience, isListening);
   if (found == Woken::Interrupt) return {StepEnd::Kind::Interrupted, ""};
   if (found == Woken::Timeout) {
@@ -172,8 +174,8 @@ StepEnd DispatchedSteps::run(const StepTry& attempt) {
   return end;
 }
 
-StepEnd DispatchedSteps::await(const StepTry& attempt, const TimeLimit& patience) {
-  using Woken = WaitPoint::Woken;
+StepEnd DispatchedSteps::await(const StepTry& attempt, const any_message::TimeLimit& patience) {
+  using Woken = any_message::WaitPoint::Woken;
   using Kind = StepEnd::Kind;
   attempt.dispatch();
 
@@ -201,7 +203,7 @@ StepEnd DispatchedSteps::withdraw(const StepTry& attempt, StepEnd end) {
   cancel(attempt.step);
   if (!was_taken_up && end.kind == StepEnd::Kind::Interrupted) return end;
   const auto isDone = [this] { return heard() && isOver(heard()->status); };
-  wait_.settleUntil(deadlineIn(attempt.options.cancel_patience),
+  wait_.settleUntil(any_message::deadlineIn(attempt.options.cancel_patience),
                     [&] { return isDone() || isOrphaned(); });
   // It may have been faster than the cancel, and must not be done once more.
   const auto last = heard();

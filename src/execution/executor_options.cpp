@@ -6,14 +6,14 @@
 
 #include <limits>
 
-#include "goal_alignment/ros_interface/parameter_reader.h"
+#include "goal_alignment/ros_common/parameter_reader.h"
 
 namespace goal_alignment::execution {
 namespace {
 
 constexpr double kLongest = 3600;         // seconds
 constexpr double kShortestPeriod = 0.01;  // seconds
-constexpr int kMostReplans = 1000;
+constexpr int kMaxReplans = 1000;
 constexpr double kLowestRate = 1;     // Hz
 constexpr double kHighestRate = 200;  // Hz
 
@@ -31,7 +31,7 @@ ExecutorOptions ExecutorOptions::read(const ros::NodeHandle& private_node) {
 }
 
 ExecutorOptions ExecutorOptions::read(const XmlRpc::XmlRpcValue& values, const std::string& ns) {
-  ros_interface::ParameterReader reader(values, ns);
+  ros_common::ParameterReader reader(values, ns);
   ExecutorOptions options;
   reader.read("mapping", options.mapping);
   reader.read("aligner", options.aligner);
@@ -41,10 +41,11 @@ ExecutorOptions ExecutorOptions::read(const XmlRpc::XmlRpcValue& values, const s
   reader.read("robot_domain", options.robot_domain);
   reader.read("robot_problem", options.robot_problem);
   reader.read("facts_patience", options.facts_patience, 0, kLongest);
-  reader.read("max_replans", options.max_replans, 0, kMostReplans);
+  reader.read("max_replans", options.max_replans, 0, kMaxReplans);
   reader.read("cancel_patience", options.cancel_patience, 0, kLongest);
-  const std::size_t wall = static_cast<std::size_t>(ClockKind::Wall);
-  options.clock = static_cast<ClockKind>(reader.readChoice("clock", {"wall", "ros"}, wall));
+  const std::size_t wall = static_cast<std::size_t>(any_message::ClockKind::Wall);
+  options.clock =
+      static_cast<any_message::ClockKind>(reader.readChoice("clock", {"wall", "ros"}, wall));
   // The library that keeps the period reads it itself.
   reader.read("diagnostic_period", options.diagnostic_period, kShortestPeriod, kLongest);
   reader.read("servers_patience", options.servers_patience, 0, kLongest);
@@ -60,7 +61,7 @@ ExecutorOptions ExecutorOptions::read(const XmlRpc::XmlRpcValue& values, const s
 ExecutorOptions ExecutorOptions::atTheStart(const ros::NodeHandle& private_node) {
   try {
     return read(private_node);
-  } catch (const ros_interface::ParameterError&) {
+  } catch (const ros_common::ParameterError&) {
     ExecutorOptions options;
     std::string aligner;
     if (private_node.getParam("aligner", aligner) && isNodeName(aligner)) options.aligner = aligner;

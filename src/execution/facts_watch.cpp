@@ -9,13 +9,13 @@
 
 #include "goal_alignment/execution/tf_frames.h"
 #include "goal_alignment/pddl/source_position.h"
-#include "goal_alignment/ros_interface/message_conversion.h"
-#include "goal_alignment/ros_interface/package_files.h"
+#include "goal_alignment/ros_common/message_conversion.h"
+#include "goal_alignment/ros_common/package_files.h"
 
 namespace goal_alignment::execution {
 namespace {
 
-using Verdict = RobotWatch::Verdict;
+using Verdict = PreconditionMonitor::Verdict;
 
 constexpr std::chrono::milliseconds kLookPause{100};  // between two looks at the facts
 
@@ -45,7 +45,7 @@ void FactsWatch::begin(const Plan& plan) {
   if (!options_.watch) return;
   if (session_.empty()) return giveUp("the plan names no session of an aligner");
   const auto file = [this](const std::string& given, const char* key) {
-    return ros_interface::resolveFile(given.empty() ? aligner_.parameter(key) : given);
+    return ros_common::resolveFile(given.empty() ? aligner_.parameter(key) : given);
   };
   ledger_.beginRun();
   const auto facts = aligner_.facts();
@@ -98,40 +98,40 @@ FactsWatch::Look FactsWatch::beforeStep(const Plan& plan, std::size_t index) {
   std::vector<GroundName> steps;
   for (std::size_t i = index; i < plan.steps.size(); ++i)
     steps.push_back(groundOf(plan.steps[i]));
-  const std::vector<Literal> wanted = ros_interface::toLiterals(plan.guaranteed, "guaranteed");
+  const std::vector<Literal> wanted = ros_common::toLiterals(plan.guaranteed, "guaranteed");
   const auto judge = [&](const WorldState& world) {
-    const RobotWatch::Finding finding = watch_->precondition(steps.front(), world);
+    const PreconditionMonitor::Finding finding = watch_->precondition(steps.front(), world);
     return finding.verdict == Verdict::Holds ? judgeRest(steps, wanted, world) : finding;
   };
   return await(judge, index, steps.size());
 }
 
 FactsWatch::Look FactsWatch::atTheEnd(const Plan& plan) {
-  const std::vector<Literal> wanted = ros_interface::toLiterals(plan.guaranteed, "guaranteed");
+  const std::vector<Literal> wanted = ros_common::toLiterals(plan.guaranteed, "guaranteed");
   const auto judge = [&](const WorldState& world) { return watch_->literals(wanted, world); };
   const Look look = await(judge, plan.steps.size(), 0);
   if (look.kind != Look::Kind::Fine || blind_.empty() || !watch_ || !now_) return look;
   // Nobody else can tell whether it is as it has to be.
-  const RobotWatch::Finding finding = judge(*now_);
+  const PreconditionMonitor::Finding finding = judge(*now_);
   return finding.verdict == Verdict::False
              ? Look{Look::Kind::End, plan.steps.size(), finding.reason}
              : look;
 }
 
 // Only where something is not as it was expected: what was fine stays so.
-RobotWatch::Finding FactsWatch::judgeRest(const std::vector<GroundName>& steps,
-                                          const std::vector<Literal>& wanted,
-                                          const WorldState& world) {
+PreconditionMonitor::Finding FactsWatch::judgeRest(const std::vector<GroundName>& steps,
+                                                   const std::vector<Literal>& wanted,
+                                                   const WorldState& world) {
   if (rest_is_fine_ && now_ && *now_ == world) return {};
-  const RobotWatch::Finding finding = watch_->rest(steps, wanted, world);
+  const PreconditionMonitor::Finding finding = watch_->rest(steps, wanted, world);
   rest_is_fine_ = finding.verdict == Verdict::Holds;
   return finding;
 }
 
 FactsWatch::Look FactsWatch::await(const Judge& judge, std::size_t first_step, std::size_t steps) {
-  const auto patience = deadlineIn(options_.facts_patience);
+  const auto patience = any_message::deadlineIn(options_.facts_patience);
   std::optional<WorldState> judged;
-  RobotWatch::Finding finding;
+  PreconditionMonitor::Finding finding;
   while (watch_) {
     if (wait_.interrupted()) return {Look::Kind::Interrupted, first_step, ""};
     auto seen = world();
@@ -151,11 +151,11 @@ FactsWatch::Look FactsWatch::await(const Judge& judge, std::size_t first_step, s
       now_ = std::move(judged);
       return {};
     }
-    if (Clock::now() >= patience && finding.verdict != Verdict::Holds) {
+    if (any_message::Clock::now() >= patience && finding.verdict != Verdict::Holds) {
       const auto kind = finding.step < steps ? Look::Kind::Step : Look::Kind::End;
       return {kind, first_step + finding.step, finding.reason};
     }
-    wait_.pauseUntil(Clock::now() + kLookPause);
+    wait_.pauseUntil(any_message::Clock::now() + kLookPause);
   }
   const bool is_over = steps == 0 && !watch_;  // everything is done, and nobody looks
   if (!is_over && wait_.interrupted()) return {Look::Kind::Interrupted, first_step, ""};
@@ -170,7 +170,7 @@ void FactsWatch::succeeded(const ActionDispatch& step) {
   if (changes.empty()) changes = watch_->certainEffects(action);
   if (now_) now_->apply(changes);
   for (const Literal& change : changes)
-    claims_[change.atom] = {!change.negated, textOf(step), Clock::now()};
+    claims_[change.atom] = {!change.negated, textOf(step), any_message::Clock::now()};
   ledger_.enter(changes);
 }
 
@@ -193,7 +193,7 @@ bool FactsWatch::claimsAreSettled(const WorldState& world) {
     const auto& [atom, claim] = *entry;
     const bool holds = std::binary_search(world.facts.begin(), world.facts.end(), atom);
     const bool is_denied = holds != claim.holds && !isUnknown(world, atom);
-    const bool is_late = Clock::now() >= claim.since + patience;
+    const bool is_late = any_message::Clock::now() >= claim.since + patience;
     if (is_denied && is_late) contradict(atom, claim);
     entry = is_denied && !is_late ? std::next(entry) : claims_.erase(entry);
   }

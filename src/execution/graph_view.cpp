@@ -23,7 +23,7 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::seconds kPingPatience{3};
-constexpr std::size_t kMostNamed = 3;
+constexpr std::size_t kMaxNamed = 3;
 constexpr const char* kResult = "/result";
 constexpr const char* kResultType = "ActionResult";
 
@@ -110,7 +110,7 @@ std::string GraphView::nearAction(const std::string& name, const std::string& ty
   std::string near = pddl::suggestion(name, same_type);
   if (near.empty()) near = pddl::suggestion(name, names);
   if (!near.empty() || same_type.empty()) return near;
-  same_type.resize(std::min(same_type.size(), kMostNamed));
+  same_type.resize(std::min(same_type.size(), kMaxNamed));
   return fmt::format("; of that type there is {}", fmt::join(same_type, ", "));
 }
 

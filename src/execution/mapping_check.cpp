@@ -16,7 +16,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-constexpr std::size_t kMostNamed = 5;  // of objects that a table lacks
+constexpr std::size_t kMaxNamed = 5;  // of objects that a table lacks
 
 template <typename Things>
 Names namesOf(const Things& things) {
@@ -91,7 +91,7 @@ class MappingCheck {
 
   void checkTexts(const YAML::Node& node, const pddl::Schema& schema) {
     if (node.IsScalar()) {
-      for (const std::string& name : Arguments::namesIn(node.Scalar()))
+      for (const std::string& name : any_message::Arguments::namesIn(node.Scalar()))
         checkName(name, node, schema);
     } else if (node.IsDefined()) {
       for (const auto& part : node)
@@ -153,7 +153,7 @@ class MappingCheck {
     }
     if (missing.empty()) return;
     const std::string near = pddl::suggestion(missing.front(), strangers);
-    const std::size_t more = missing.size() - std::min(missing.size(), kMostNamed);
+    const std::size_t more = missing.size() - std::min(missing.size(), kMaxNamed);
     missing.resize(missing.size() - more);
     say(node,
         fmt::format("table {} has no entry for {}{}, which ?{} of {} may be{}", inQuotes(table),
@@ -184,7 +184,8 @@ class MappingCheck {
     }
     Literal fact;
     try {
-      fact = Literal::parse(Arguments(step, mapping_.tables, mapping_.source).fill(node));
+      fact =
+          Literal::parse(any_message::Arguments(step, mapping_.tables, mapping_.source).fill(node));
     } catch (const YamlError&) {
       return;  // of a parameter or a table that is not there, which is said already
     } catch (const std::invalid_argument& error) {

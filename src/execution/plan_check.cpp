@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <ros/names.h>
 
+#include "goal_alignment/any_message/message_codec.h"
 #include "goal_alignment/common/quote.h"
 #include "goal_alignment/execution/facts_watch.h"
-#include "goal_alignment/execution/frame_stage.h"
-#include "goal_alignment/execution/message_codec.h"
+#include "goal_alignment/execution/simulated_frames.h"
 #include "goal_alignment/pddl/near_name.h"
-#include "goal_alignment/ros_interface/message_conversion.h"
+#include "goal_alignment/ros_common/message_conversion.h"
 
 namespace goal_alignment::execution {
 namespace {
@@ -23,15 +23,15 @@ void checkServer(const std::string& name, const YAML::Node& node, const std::str
 }
 
 // Once the step is done it would be too late to find them wrong.
-void checkExpected(const MessageDefinition& definition, const StepRule& rule,
-                   const Arguments& arguments, MessageTypes& types) {
+void checkExpected(const any_message::MessageDefinition& definition, const StepRule& rule,
+                   const any_message::Arguments& arguments, any_message::MessageTypes& types) {
   for (const auto& [path, expected] : rule.success)
-    checkValue(types, definition, path, expected, arguments);
+    any_message::checkValue(types, definition, path, expected, arguments);
 }
 
 void checkStep(const ActionDispatch& step, const StepRule& rule, const StepMapping& mapping,
-               MessageTypes& types) {
-  const Arguments arguments(step, mapping.tables, mapping.source);
+               any_message::MessageTypes& types) {
+  const any_message::Arguments arguments(step, mapping.tables, mapping.source);
   failureFacts(step, rule, mapping);
   if (rule.name.IsScalar()) checkServer(arguments.fill(rule.name), rule.name, mapping.source);
   for (const FrameMove& move : rule.moves) {
@@ -40,11 +40,11 @@ void checkStep(const ActionDispatch& step, const StepRule& rule, const StepMappi
     if (!move.to.IsNull()) poseOf(arguments.resolve(move.to), mapping.source);
   }
   if (rule.action) {
-    encode(types, rule.action->goal, rule.fields, arguments, {});
+    any_message::encode(types, rule.action->goal, rule.fields, arguments, {});
     checkExpected(rule.action->result, rule, arguments, types);
   }
   if (rule.service) {
-    encode(types, rule.service->request, rule.fields, arguments, {});
+    any_message::encode(types, rule.service->request, rule.fields, arguments, {});
     checkExpected(rule.service->response, rule, arguments, types);
   }
 }
@@ -69,14 +69,15 @@ std::string faultOf(const Plan& plan) {
     }
   }
   try {
-    ros_interface::toLiterals(plan.guaranteed, "guaranteed");
+    ros_common::toLiterals(plan.guaranteed, "guaranteed");
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
   return {};
 }
 
-std::string mappingFault(const Plan& plan, const StepMapping& mapping, MessageTypes& types) {
+std::string mappingFault(const Plan& plan, const StepMapping& mapping,
+                         any_message::MessageTypes& types) {
   for (const ActionDispatch& step : plan.steps) {
     const StepRule* rule = mapping.find(step.name);
     if (rule == nullptr) {
@@ -94,7 +95,7 @@ std::string mappingFault(const Plan& plan, const StepMapping& mapping, MessageTy
 
 std::vector<Literal> failureFacts(const ActionDispatch& step, const StepRule& rule,
                                   const StepMapping& mapping) {
-  const Arguments arguments(step, mapping.tables, mapping.source);
+  const any_message::Arguments arguments(step, mapping.tables, mapping.source);
   std::vector<Literal> facts;
   for (const YAML::Node& fact : rule.failure_facts) {
     try {

@@ -11,8 +11,8 @@
 #include "goal_alignment/execution/mapping_check.h"
 #include "goal_alignment/execution/names.h"
 #include "goal_alignment/pddl/source_position.h"
-#include "goal_alignment/ros_interface/package_files.h"
-#include "goal_alignment/ros_interface/stamp.h"
+#include "goal_alignment/ros_common/package_files.h"
+#include "goal_alignment/ros_common/stamp.h"
 
 namespace goal_alignment::execution {
 namespace {
@@ -73,7 +73,7 @@ void PlanExecutor::complainAtTheStart() {
     first_mapping_ = mappingOf(options);
     simulated_steps_.begin(first_mapping_, options);
     warnAboutMisfits(options);
-    look_for_servers_ = deadlineIn(options.servers_patience);
+    look_for_servers_ = any_message::deadlineIn(options.servers_patience);
   } catch (const std::exception& error) {
     ROS_ERROR("%s", error.what());
   }
@@ -91,8 +91,7 @@ void PlanExecutor::warnAboutUnknown(const ExecutorOptions& options) {
 // The aligner complains where the model is faulty; and a robot may have none before its first task.
 void PlanExecutor::warnAboutMisfits(const ExecutorOptions& options) {
   const auto source = [this](const std::string& given, const char* key) {
-    return pddl::readFile(
-        ros_interface::resolveFile(given.empty() ? aligner_.parameter(key) : given));
+    return pddl::readFile(ros_common::resolveFile(given.empty() ? aligner_.parameter(key) : given));
   };
   try {
     const auto robot = pddl::readModel(source(options.robot_domain, "robot_domain"),
@@ -107,7 +106,7 @@ void PlanExecutor::warnAboutMisfits(const ExecutorOptions& options) {
 // By what the master knows: links are made when a plan wants them. Servers whose names hang on a
 // step's arguments are looked for then, too.
 void PlanExecutor::warnAboutServers() {
-  look_for_servers_ = Clock::time_point::max();
+  look_for_servers_ = any_message::Clock::time_point::max();
   const auto graph = GraphView::now();
   std::set<std::string> missing;
   const YamlReader reader(first_mapping_.source);
@@ -127,7 +126,7 @@ void PlanExecutor::warnAboutServers() {
 
 StepMapping PlanExecutor::mappingOf(const ExecutorOptions& options) {
   if (options.mapping.empty()) return StepMapping::fromYaml("", "", types_, default_kind_);
-  const pddl::Source file = pddl::readFile(ros_interface::resolveFile(options.mapping));
+  const pddl::Source file = pddl::readFile(ros_common::resolveFile(options.mapping));
   return StepMapping::fromYaml(file.text, file.name, types_, default_kind_);
 }
 
@@ -158,7 +157,7 @@ void PlanExecutor::submit(const Plan& plan, const std::string& origin) {
   ExecutePlanGoal goal;
   goal.plan = plan;
   // Unique among goals of this node, and those of an earlier run with the same name.
-  server_.inject(goal, fmt::format("{}-{}-{}", origin, ros_interface::stampNow().toNSec(), number));
+  server_.inject(goal, fmt::format("{}-{}-{}", origin, ros_common::stampNow().toNSec(), number));
 }
 
 void PlanExecutor::takeGoal(Goal goal) {
@@ -218,7 +217,7 @@ void PlanExecutor::work() {
 void PlanExecutor::beIdle() {
   wait_.interrupt();
   if (ledger_.waits()) ledger_.tell();
-  if (Clock::now() >= look_for_servers_) warnAboutServers();
+  if (any_message::Clock::now() >= look_for_servers_) warnAboutServers();
 }
 
 void PlanExecutor::run(Goal goal) {

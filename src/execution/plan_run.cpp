@@ -12,7 +12,7 @@
 namespace goal_alignment::execution {
 namespace {
 
-constexpr int kMostFailures = 2;                     // of one ground action, each after its retries
+constexpr int kMaxFailures = 2;                      // of one ground action, each after its retries
 constexpr std::chrono::milliseconds kTryPause{200};  // between two tries of a step
 
 PlanStep stepOf(const ActionDispatch& step) {
@@ -54,13 +54,13 @@ ExecutePlanResult PlanRun::runOn() {
       parts_.warn_once(misfit);
   }
   while (true) {
-    Trouble trouble = walk();
+    PlanFailure trouble = walk();
     if (trouble.outcome == ExecutePlanResult::SUCCESS ||
         trouble.outcome == ExecutePlanResult::CANCELED) {
       return resultOf(trouble);
     }
     ROS_WARN("%s", trouble.reason.c_str());
-    const std::string why_not = planAnew(trouble);
+    const std::string why_not = replan(trouble);
     if (why_not.empty()) continue;
     if (parts_.wait.interrupted()) {
       trouble.outcome = ExecutePlanResult::CANCELED;
@@ -72,7 +72,7 @@ ExecutePlanResult PlanRun::runOn() {
   }
 }
 
-ExecutePlanResult PlanRun::resultOf(const Trouble& trouble) const {
+ExecutePlanResult PlanRun::resultOf(const PlanFailure& trouble) const {
   ExecutePlanResult result;
   result.outcome = trouble.outcome;
   result.failed_step = trouble.step;
@@ -83,8 +83,8 @@ ExecutePlanResult PlanRun::resultOf(const Trouble& trouble) const {
   return result;
 }
 
-PlanRun::Trouble PlanRun::walk() {
-  Trouble trouble = awaitServers();
+PlanRun::PlanFailure PlanRun::walk() {
+  PlanFailure trouble = awaitServers();
   for (std::size_t index = 0; index < plan_.steps.size(); ++index) {
     if (trouble.outcome == ExecutePlanResult::SUCCESS) trouble = beforeStep(index);
     if (trouble.outcome == ExecutePlanResult::SUCCESS) trouble = carryOut(plan_.steps[index]);
@@ -93,29 +93,30 @@ PlanRun::Trouble PlanRun::walk() {
 }
 
 // All of them have the same time, so that many that are missing are found out as soon as one.
-PlanRun::Trouble PlanRun::awaitServers() {
-  const auto until = deadlineIn(options_.servers_patience);
-  const auto begin = Clock::now();
+PlanRun::PlanFailure PlanRun::awaitServers() {
+  const auto until = any_message::deadlineIn(options_.servers_patience);
+  const auto begin = any_message::Clock::now();
   std::set<std::pair<StepKind, std::string>> seen;
   const auto forEach = [&](const auto& treat) {
     for (const ActionDispatch& step : plan_.steps) {
       const StepRule& rule = *mapping_.find(step.name);
-      const Arguments arguments(step, mapping_.tables, mapping_.source);
+      const any_message::Arguments arguments(step, mapping_.tables, mapping_.source);
       treat(step, rule, arguments, rule.name.IsScalar() ? arguments.fill(rule.name) : "");
     }
   };
-  forEach([&](const auto& /*step*/, const StepRule& rule, const Arguments& arguments,
+  forEach([&](const auto& /*step*/, const StepRule& rule, const any_message::Arguments& arguments,
               const std::string& /*server*/) { runnerOf(rule.kind).approach(rule, arguments); });
-  Trouble trouble;
+  PlanFailure trouble;
   std::set<std::string> all_missing;
-  forEach([&](const ActionDispatch& step, const StepRule& rule, const Arguments& arguments,
-              const std::string& server) {
+  forEach([&](const ActionDispatch& step, const StepRule& rule,
+              const any_message::Arguments& arguments, const std::string& server) {
     const bool is_new = seen.insert({rule.kind, server}).second;
     if (!is_new || parts_.wait.interrupted()) return;
     const std::chrono::duration<double> patience(rule.server_patience);
     const std::string missing = runnerOf(rule.kind).missing(
         rule, arguments,
-        std::min(until, begin + std::chrono::duration_cast<Clock::duration>(patience)));
+        std::min(until,
+                 begin + std::chrono::duration_cast<any_message::Clock::duration>(patience)));
     if (missing.empty()) return;
     all_missing.insert(missing);
     if (trouble.outcome == ExecutePlanResult::SUCCESS) {
@@ -136,9 +137,9 @@ PlanRun::Trouble PlanRun::awaitServers() {
 // the same one for the next best step.
 bool PlanRun::isAvoidable(const StepRule& rule, const std::string& server) {
   if (rule.failure_facts.empty() || rule.stop_on_failure || !rule.name.IsScalar()) return false;
-  const auto of_server = Arguments::namesIn(rule.name.Scalar());
+  const auto of_server = any_message::Arguments::namesIn(rule.name.Scalar());
   for (const YAML::Node& fact : rule.failure_facts) {
-    for (const std::string& name : Arguments::namesIn(fact.Scalar())) {
+    for (const std::string& name : any_message::Arguments::namesIn(fact.Scalar())) {
       const bool is_shared = std::count(of_server.begin(), of_server.end(), name) > 0;
       if (!is_shared) return false;
     }
@@ -146,7 +147,7 @@ bool PlanRun::isAvoidable(const StepRule& rule, const std::string& server) {
   return given_up_.insert(server).second;
 }
 
-PlanRun::Trouble PlanRun::beforeStep(std::size_t index) {
+PlanRun::PlanFailure PlanRun::beforeStep(std::size_t index) {
   using Kind = FactsWatch::Look::Kind;
   const FactsWatch::Look look = facts_.beforeStep(plan_, index);
   const std::string stopped = fmt::format("stopped before step {}", index + 1);
@@ -170,7 +171,7 @@ PlanRun::Trouble PlanRun::beforeStep(std::size_t index) {
           false};
 }
 
-PlanRun::Trouble PlanRun::atTheEnd() {
+PlanRun::PlanFailure PlanRun::atTheEnd() {
   using Kind = FactsWatch::Look::Kind;
   const FactsWatch::Look look = facts_.atTheEnd(plan_);
   if (look.kind == Kind::Fine) return {};
@@ -180,7 +181,7 @@ PlanRun::Trouble PlanRun::atTheEnd() {
           "the plan has come to its end, but: " + look.reason, false};
 }
 
-PlanRun::Trouble PlanRun::carryOut(const ActionDispatch& step) {
+PlanRun::PlanFailure PlanRun::carryOut(const ActionDispatch& step) {
   const StepRule& rule = *mapping_.find(step.name);
   StepEnd end;
   for (int left = rule.retries; left >= 0; --left) {
@@ -196,7 +197,7 @@ PlanRun::Trouble PlanRun::carryOut(const ActionDispatch& step) {
       break;
     }
     ROS_WARN("%s is tried again: %s", about(step).c_str(), end.reason.c_str());
-    if (parts_.wait.pauseUntil(Clock::now() + kTryPause)) {
+    if (parts_.wait.pauseUntil(any_message::Clock::now() + kTryPause)) {
       end = {StepEnd::Kind::Interrupted, ""};
       break;
     }
@@ -205,10 +206,11 @@ PlanRun::Trouble PlanRun::carryOut(const ActionDispatch& step) {
 }
 
 StepEnd PlanRun::tryOnce(const ActionDispatch& step, const StepRule& rule, int retries_left) {
-  const Arguments arguments(step, mapping_.tables, mapping_.source);
-  StepTry attempt{step,         rule,     arguments,
-                  parts_.types, options_, TimeLimit::after(rule.timeout, options_.clock),
-                  false,        {},       {}};
+  const any_message::Arguments arguments(step, mapping_.tables, mapping_.source);
+  StepTry attempt{
+      step,         rule,     arguments,
+      parts_.types, options_, any_message::TimeLimit::after(rule.timeout, options_.clock),
+      false,        {},       {}};
   attempt.is_to_fail = step.action_id == options_.failing_step && replans_ == 0;
   attempt.dispatch = [&] { dispatch(step, rule); };
   attempt.progress = [&](int status) { tell(step.action_id, status); };
@@ -231,15 +233,15 @@ StepEnd PlanRun::tryOnce(const ActionDispatch& step, const StepRule& rule, int r
   return end;
 }
 
-PlanRun::Trouble PlanRun::treatFailure(const ActionDispatch& step, const StepRule& rule,
-                                       const StepEnd& end) {
+PlanRun::PlanFailure PlanRun::treatFailure(const ActionDispatch& step, const StepRule& rule,
+                                           const StepEnd& end) {
   const std::string because = end.reason.empty() ? "" : ": " + end.reason;
   if (end.kind == StepEnd::Kind::Interrupted) {
     return {ExecutePlanResult::CANCELED, step.action_id,
             fmt::format("stopped during {}{}", about(step), because), true};
   }
   facts_.failed(step, failureFacts(step, rule, mapping_));
-  const bool again = ++failures_[textOf(step)] >= kMostFailures;
+  const bool again = ++failures_[textOf(step)] >= kMaxFailures;
   const bool final = again || rule.stop_on_failure;
   const std::string more = again ? ", as it did before" : "";
   if (end.kind == StepEnd::Kind::TimedOut) {
@@ -251,7 +253,7 @@ PlanRun::Trouble PlanRun::treatFailure(const ActionDispatch& step, const StepRul
           fmt::format("{} failed{}{}", about(step), more, because), final};
 }
 
-std::string PlanRun::planAnew(const Trouble& trouble) {
+std::string PlanRun::replan(const PlanFailure& trouble) {
   if (trouble.final) return "no other plan is sought for it";
   if (replans_ >= options_.max_replans)
     return options_.max_replans == 0 ? "no new plan is wanted (max_replans)"
@@ -259,7 +261,7 @@ std::string PlanRun::planAnew(const Trouble& trouble) {
   std::string why_not = facts_.whyNoNewPlan();
   if (!why_not.empty()) return "no new plan, since " + why_not;
   tell(trouble.step, ActionFeedback::ACTION_FAILED, trouble.reason + "; I plan anew");
-  const auto result = parts_.aligner.planAnew(plan_.session_id, options_.cancel_patience, why_not);
+  const auto result = parts_.aligner.replan(plan_.session_id, options_.cancel_patience, why_not);
   if (!result) return why_not;
   why_not = faultOf(result->plan);
   if (why_not.empty()) why_not = mappingFault(result->plan, mapping_, parts_.types);
@@ -273,7 +275,7 @@ std::string PlanRun::planAnew(const Trouble& trouble) {
 
 void PlanRun::dispatch(const ActionDispatch& step, const StepRule& rule) {
   ActionDispatch message = step;
-  const std::chrono::duration<float> since_begin = Clock::now() - begin_;
+  const std::chrono::duration<float> since_begin = any_message::Clock::now() - begin_;
   message.dispatch_time = since_begin.count();
   if (rule.duration) message.duration = static_cast<float>(*rule.duration);
   if (!rule.duration && rule.kind == StepKind::Simulated)

@@ -3,7 +3,7 @@
 
 #include "goal_alignment/execution/graph_view.h"
 #include "goal_alignment/execution/steps.h"
-#include "goal_alignment/ros_interface/stamp.h"
+#include "goal_alignment/ros_common/stamp.h"
 #include "success.h"
 
 namespace goal_alignment::execution {
@@ -11,29 +11,31 @@ namespace goal_alignment::execution {
 namespace {
 
 // What services such as std_srvs/Trigger say of themselves.
-std::string reasonIn(const StepTry& attempt, const MessageDefinition& definition,
-                     const Bytes& message) {
+std::string reasonIn(const StepTry& attempt, const any_message::MessageDefinition& definition,
+                     const any_message::Bytes& message) {
   constexpr const char* kReason = "message";
-  const MessageField* const field = definition.find(kReason);
-  const bool has_reason =
-      field != nullptr && field->type == "string" && field->length == MessageField::kSingle;
+  const any_message::MessageField* const field = definition.find(kReason);
+  const bool has_reason = field != nullptr && field->type == "string" &&
+                          field->length == any_message::MessageField::kSingle;
   std::string found;
   if (has_reason) {
-    matches(attempt.types, definition, message, kReason, YAML::Node(""), attempt.arguments, found);
+    any_message::matches(attempt.types, definition, message, kReason, YAML::Node(""),
+                         attempt.arguments, found);
   }
   return found.empty() ? "" : ": " + found;
 }
 
 }  // namespace
 
-StepEnd checkSuccess(const StepTry& attempt, const MessageDefinition& definition,
-                     const std::optional<Bytes>& message, const std::string& name) {
+StepEnd checkSuccess(const StepTry& attempt, const any_message::MessageDefinition& definition,
+                     const std::optional<any_message::Bytes>& message, const std::string& name) {
   if (!attempt.rule.success.empty() && !message) {
     return {StepEnd::Kind::Failed, fmt::format("{} gave no result", name)};
   }
   for (const auto& [path, expected] : attempt.rule.success) {
     std::string found;
-    if (matches(attempt.types, definition, *message, path, expected, attempt.arguments, found)) {
+    if (any_message::matches(attempt.types, definition, *message, path, expected, attempt.arguments,
+                             found)) {
       continue;
     }
     return {StepEnd::Kind::Failed, fmt::format("{} answered with {} {}{}", name, path, found,
@@ -42,8 +44,8 @@ StepEnd checkSuccess(const StepTry& attempt, const MessageDefinition& definition
   return {};
 }
 
-std::string ServiceSteps::missing(const StepRule& rule, const Arguments& arguments,
-                                  Clock::time_point until) {
+std::string ServiceSteps::missing(const StepRule& rule, const any_message::Arguments& arguments,
+                                  any_message::Clock::time_point until) {
   const std::string name = arguments.fill(rule.name);
   if (services_.isOffered(name, until)) return "";
   const auto graph = GraphView::now();
@@ -52,13 +54,13 @@ std::string ServiceSteps::missing(const StepRule& rule, const Arguments& argumen
 }
 
 StepEnd ServiceSteps::run(const StepTry& attempt) {
-  using Kind = ServiceCaller::Reply::Kind;
-  const ServiceDefinition& type = *attempt.rule.service;
+  using Kind = any_message::ServiceCaller::Reply::Kind;
+  const any_message::ServiceDefinition& type = *attempt.rule.service;
   const std::string name = attempt.arguments.fill(attempt.rule.name);
-  const Bytes request = encode(attempt.types, type.request, attempt.rule.fields, attempt.arguments,
-                               ros_interface::stampNow());
+  const any_message::Bytes request = any_message::encode(
+      attempt.types, type.request, attempt.rule.fields, attempt.arguments, ros_common::stampNow());
   attempt.dispatch();
-  const ServiceCaller::Reply reply =
+  const any_message::ServiceCaller::Reply reply =
       services_.call(name, type.md5, request,
                      {attempt.rule.server_patience, attempt.options.cancel_patience, attempt.end});
   switch (reply.kind) {

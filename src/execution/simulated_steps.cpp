@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "goal_alignment/execution/steps.h"
-#include "goal_alignment/ros_interface/stamp.h"
+#include "goal_alignment/ros_common/stamp.h"
 
 namespace goal_alignment::execution {
 namespace {
@@ -24,7 +24,7 @@ GroundName groundOf(const ActionDispatch& step) {
 
 }  // namespace
 
-SimulatedSteps::SimulatedSteps(const ros::NodeHandle& node, WaitPoint& wait)
+SimulatedSteps::SimulatedSteps(const ros::NodeHandle& node, any_message::WaitPoint& wait)
     : wait_(wait),
       timer_(node.createWallTimer(ros::WallDuration(kIdlePeriod),
                                   [this](const ros::WallTimerEvent&) { broadcast(); })) {}
@@ -38,7 +38,7 @@ void SimulatedSteps::begin(const StepMapping& mapping, const ExecutorOptions& op
 }
 
 void SimulatedSteps::broadcast() {
-  const ros::Time now = ros_interface::stampNow();
+  const ros::Time now = ros_common::stampNow();
   const std::lock_guard<std::mutex> lock(mutex_);
   if (now == last_stamp_) return;  // a clock that stands still: tf2 complains of such repetitions
   last_stamp_ = now;
@@ -58,10 +58,10 @@ bool SimulatedSteps::fails(const StepTry& attempt) {
          luck < attempt.rule.failure_probability.value_or(attempt.options.failure_probability);
 }
 
-std::vector<FrameStage::Motion> SimulatedSteps::motionsOf(const StepTry& attempt) const {
-  std::vector<FrameStage::Motion> motions;
+std::vector<SimulatedFrames::Motion> SimulatedSteps::motionsOf(const StepTry& attempt) const {
+  std::vector<SimulatedFrames::Motion> motions;
   for (const FrameMove& move : attempt.rule.moves) {
-    FrameStage::Motion motion;
+    SimulatedFrames::Motion motion;
     motion.frame = attempt.arguments.fill(move.frame);
     if (!move.parent.IsNull()) motion.parent = attempt.arguments.fill(move.parent);
     if (!move.to.IsNull())
@@ -79,12 +79,12 @@ StepEnd SimulatedSteps::run(const StepTry& attempt) {
     return {StepEnd::Kind::Failed, error.what()};
   }
   attempt.dispatch();
-  Timer timer(attempt.options.clock);
+  any_message::Timer timer(attempt.options.clock);
   const double seconds = attempt.rule.duration.value_or(attempt.options.step_duration);
   const double end = fails ? seconds * kDoneWhenItFails : seconds;
   const double tick = 1 / attempt.options.frame_rate;
   for (double passed = 0; passed < end; passed = timer.seconds()) {
-    if (wait_.pauseUntil(attempt.end.capped(deadlineIn(std::min(tick, end - passed)))))
+    if (wait_.pauseUntil(attempt.end.capped(any_message::deadlineIn(std::min(tick, end - passed)))))
       return {StepEnd::Kind::Interrupted, ""};
     if (seconds > 0) stage_.glide(std::min(timer.seconds(), end) / seconds);
     if (attempt.end.isOver() && timer.seconds() < end) return {StepEnd::Kind::TimedOut, ""};

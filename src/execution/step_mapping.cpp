@@ -7,17 +7,17 @@
 #include <algorithm>
 #include <set>
 
+#include "goal_alignment/any_message/message_codec.h"
 #include "goal_alignment/common/quote.h"
-#include "goal_alignment/execution/frame_stage.h"
-#include "goal_alignment/execution/message_codec.h"
+#include "goal_alignment/execution/simulated_frames.h"
 
 namespace goal_alignment::execution {
 namespace {
 
 constexpr double kLongestTimeout = 86400;  // seconds
 constexpr double kLongestStep = 3600;      // seconds
-constexpr int kMostRetries = 1000;
-constexpr int kMostFailures = 1000000;
+constexpr int kMaxRetries = 1000;
+constexpr int kMaxFailures = 1000000;
 
 using Words = std::vector<std::string>;
 const Words kKinds = {"action", "service", "dispatch", "simulated"};  // as StepKind
@@ -31,7 +31,7 @@ const std::vector<Words> kKeys = {{"name", "type", "goal", "success_field", "ser
 /// Fills a StepMapping from YAML and knows, for its errors, where everything stands.
 class MappingReader : private YamlReader {
  public:
-  MappingReader(const std::string& source, MessageTypes& types,
+  MappingReader(const std::string& source, any_message::MessageTypes& types,
                 std::optional<StepKind> default_kind)
       : YamlReader(source), types_(types) {
     mapping_.source = source;
@@ -139,7 +139,7 @@ class MappingReader : private YamlReader {
   void readCommon(const YAML::Node& node, StepRule& rule) const {
     if (const auto timeout = node["timeout"])
       rule.timeout = number(timeout, "a number", 0, kLongestTimeout);
-    if (const auto retries = node["retries"]) rule.retries = whole(retries, 0, kMostRetries);
+    if (const auto retries = node["retries"]) rule.retries = whole(retries, 0, kMaxRetries);
     if (const auto patience = node["server_patience"])
       rule.server_patience = number(patience, "a number", 0, kLongestTimeout);
     if (const auto on_failure = node["on_failure"])
@@ -167,11 +167,12 @@ class MappingReader : private YamlReader {
     }
     try {
       if (const auto type = node["type"]) readType(text(type, "package/Name"), rule);
-    } catch (const TypeError& error) {
+    } catch (const any_message::TypeError& error) {
       fail(node["type"], error.what());
     }
     if (!rule.action && !rule.service) fail(node, "no `type` of the server: package/Name");
-    const MessageDefinition& sent = is_action ? rule.action->goal : rule.service->request;
+    const any_message::MessageDefinition& sent =
+        is_action ? rule.action->goal : rule.service->request;
     if (const auto fields = node[is_action ? "goal" : "request"]) rule.fields.reset(fields);
     check(types_, sent, rule.fields, mapping_.source);
     readSuccess(node["success_field"], is_action ? rule.action->result : rule.service->response,
@@ -187,7 +188,8 @@ class MappingReader : private YamlReader {
   }
 
   /// The name of a field that must be true, or a map from fields to what they must be.
-  void readSuccess(const YAML::Node& node, const MessageDefinition& definition, StepRule& rule) {
+  void readSuccess(const YAML::Node& node, const any_message::MessageDefinition& definition,
+                   StepRule& rule) {
     if (!isGiven(node)) return;
     rule.success.clear();
     if (node.IsScalar()) {
@@ -200,10 +202,10 @@ class MappingReader : private YamlReader {
     for (const auto& [path, expected] : rule.success) {
       if (!expected.IsScalar()) expect(expected, "a single value");
       try {
-        const std::string type = typeAt(types_, definition, path);
+        const std::string type = any_message::typeAt(types_, definition, path);
         if (node.IsScalar() && type != "bool")
           fail(node, fmt::format("{} is a {}: expected a field that is true or false", path, type));
-      } catch (const TypeError& error) {
+      } catch (const any_message::TypeError& error) {
         fail(node, error.what());
       }
     }
@@ -264,7 +266,7 @@ class MappingReader : private YamlReader {
     checkMap(failures, "a map from ground actions to how many tries fail", {});
     for (const auto& entry : failures) {
       const bool always = entry.second.IsScalar() && entry.second.Scalar() == "always";
-      const int count = always ? StepRule::kAlways : whole(entry.second, 0, kMostFailures);
+      const int count = always ? StepRule::kAlways : whole(entry.second, 0, kMaxFailures);
       try {
         mapping_.failures[GroundName::parse(entry.first.Scalar())] = count;
       } catch (const std::invalid_argument& error) {
@@ -273,7 +275,7 @@ class MappingReader : private YamlReader {
     }
   }
 
-  MessageTypes& types_;
+  any_message::MessageTypes& types_;
   StepMapping mapping_;
 };
 
@@ -286,7 +288,8 @@ const StepRule* StepMapping::find(const std::string& action) const {
 }
 
 StepMapping StepMapping::fromYaml(const std::string& text, const std::string& source,
-                                  MessageTypes& types, std::optional<StepKind> default_kind) {
+                                  any_message::MessageTypes& types,
+                                  std::optional<StepKind> default_kind) {
   return MappingReader(source, types, default_kind).read(text);
 }
 

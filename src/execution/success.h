@@ -9,7 +9,7 @@
 namespace goal_alignment::execution {
 
 /// Whether the result or response of server `name` is what the rule takes for a success.
-StepEnd checkSuccess(const StepTry& attempt, const MessageDefinition& definition,
-                     const std::optional<Bytes>& message, const std::string& name);
+StepEnd checkSuccess(const StepTry& attempt, const any_message::MessageDefinition& definition,
+                     const std::optional<any_message::Bytes>& message, const std::string& name);
 
 }  // namespace goal_alignment::execution

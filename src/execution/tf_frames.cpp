@@ -7,25 +7,25 @@
 #include <set>
 
 #include "goal_alignment/pddl/source_position.h"
-#include "goal_alignment/ros_interface/package_files.h"
-#include "goal_alignment/whereabouts/rules.h"
+#include "goal_alignment/ros_common/package_files.h"
+#include "goal_alignment/spatial_facts/rules.h"
 
 namespace goal_alignment::execution {
 namespace {
 
-using whereabouts::Rule;
-using whereabouts::Rules;
+using spatial_facts::Rule;
+using spatial_facts::Rules;
 
 std::string framesOf(const GroundName& atom, const Rules& rules) {
   const Rule* const rule = rules.ownerOf(atom);
   if (rule == nullptr) return "";
   std::set<std::string> frames;
-  for (const whereabouts::Group& group : rule->groups) {
+  for (const spatial_facts::Group& group : rule->groups) {
     for (const auto& option : group.options) {
       const bool is_told =
           option.atom == atom || (rule->exactly_one && rule->key(option.atom) == rule->key(atom));
       if (!is_told) continue;
-      for (const whereabouts::Probe& probe : option.probes)
+      for (const spatial_facts::Probe& probe : option.probes)
         frames.insert(rules.pairs()[probe.subject].of);
     }
   }
@@ -38,7 +38,7 @@ std::string framesOf(const GroundName& atom, const Rules& rules) {
 std::string framesOf(const GroundName& atom, const std::string& rules_file) {
   if (rules_file.empty()) return "";
   try {
-    const pddl::Source file = pddl::readFile(ros_interface::resolveFile(rules_file));
+    const pddl::Source file = pddl::readFile(ros_common::resolveFile(rules_file));
     return framesOf(atom, *Rules::fromYaml(file.text, file.name));
   } catch (const std::exception&) {
     return "";  // the aligner says what is wrong with it

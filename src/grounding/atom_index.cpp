@@ -9,14 +9,14 @@ namespace goal_alignment::grounding {
 
 namespace {
 
-constexpr std::size_t kMostPositions = 64;
+constexpr std::size_t kMaxPositions = 64;
 /// Joins ask for few sets of positions; texts that ask for many pay with time, not with memory.
-constexpr std::size_t kMostIndices = 16;
+constexpr std::size_t kMaxIndices = 16;
 
 /// The arguments at the positions, as an atom's.
 void project(const pddl::AtomView& atom, std::uint64_t positions, pddl::Atom& key) {
   key.objects.clear();
-  for (std::size_t i = 0; i < std::min(atom.objects.size(), kMostPositions); ++i) {
+  for (std::size_t i = 0; i < std::min(atom.objects.size(), kMaxPositions); ++i) {
     if (((positions >> i) & 1U) != 0) key.objects.push_back(atom.objects[i]);
   }
 }
@@ -49,7 +49,7 @@ AtomIndex::ByPositions* AtomIndex::indexOver(std::size_t predicate, Positions po
       best = index.get();
     }
   }
-  if (indices.size() == kMostIndices) return best;
+  if (indices.size() == kMaxIndices) return best;
   indices.push_back(std::make_unique<ByPositions>());
   indices.back()->positions = positions;
   for (const AtomId id : all_[predicate]) {
@@ -66,7 +66,7 @@ const std::vector<AtomId>& AtomIndex::matching(const pddl::LiftedAtom& atom,
     return term.is_parameter ? binding[static_cast<std::size_t>(term.index)] : term.index;
   };
   Positions positions = 0;
-  for (std::size_t i = 0; i < std::min(atom.terms.size(), kMostPositions); ++i) {
+  for (std::size_t i = 0; i < std::min(atom.terms.size(), kMaxPositions); ++i) {
     if (value(atom.terms[i]) != kUnbound) positions |= Positions{1} << i;
   }
   if (positions == 0 || all_[p].empty()) return all_[p];
@@ -74,7 +74,7 @@ const std::vector<AtomId>& AtomIndex::matching(const pddl::LiftedAtom& atom,
   if (index == nullptr) return all_[p];
   key_.predicate = 0;
   key_.objects.clear();
-  for (std::size_t i = 0; i < std::min(atom.terms.size(), kMostPositions); ++i) {
+  for (std::size_t i = 0; i < std::min(atom.terms.size(), kMaxPositions); ++i) {
     if (((index->positions >> i) & 1U) != 0) key_.objects.push_back(value(atom.terms[i]));
   }
   const auto found = index->lists.find(key_);

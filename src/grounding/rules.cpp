@@ -18,7 +18,7 @@ using pddl::Term;
 
 namespace {
 
-constexpr std::size_t kMostRules = 64;
+constexpr std::size_t kMaxRules = 64;
 
 /// A conjunction in the making.
 struct Alternative {
@@ -57,7 +57,7 @@ Alternatives liftConjunction(const Formula& formula) {
   Alternatives product(1);
   for (const Formula& part : formula.parts) {
     Alternatives factor = lift(part);
-    if (product.size() * factor.size() > kMostRules) factor = leave(part);
+    if (product.size() * factor.size() > kMaxRules) factor = leave(part);
     Alternatives next;
     for (const Alternative& a : product) {
       for (const Alternative& b : factor)
@@ -72,7 +72,7 @@ Alternatives liftDisjunction(const Formula& formula) {
   Alternatives sum;
   for (const Formula& part : formula.parts) {
     append(sum, lift(part));
-    if (sum.size() > kMostRules) return leave(formula);
+    if (sum.size() > kMaxRules) return leave(formula);
   }
   return sum;
 }

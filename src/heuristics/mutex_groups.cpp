@@ -246,14 +246,14 @@ class InvariantSearch {
   /// A group with the fact in it, as large as the search gets it; empty: none was found.
   FactSet around(FactId fact) {
     group_.cutTo(0);
-    steps_left_ = kMostSteps;
+    steps_left_ = kMaxSteps;
     if (!include(fact)) return {};
     extend();
     return task::makeFactSet(group_.facts);
   }
 
  private:
-  static constexpr int kMostSteps = 2000;
+  static constexpr int kMaxSteps = 2000;
 
   static void note(const FactSet& facts, OperatorId id,
                    std::vector<std::vector<OperatorId>>& where) {

@@ -18,9 +18,9 @@ using task::Word;
 
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
 /// In words of a row that are looked at: some seconds.
-constexpr std::uint64_t kMostSteps = 4'000'000'000;
+constexpr std::uint64_t kMaxSteps = 4'000'000'000;
 
 /// Indices waiting for another look, each at most once.
 class WorkList {
@@ -130,7 +130,7 @@ class MutexTable::Fixpoint {
   /// False when it would take too long.
   bool run() {
     while (!work_.empty()) {
-      if (steps_ > kMostSteps) return false;
+      if (steps_ > kMaxSteps) return false;
       poll();
       const Part& part = parts_[work_.pop()];
       if (!possible_[&part - parts_.data()] && table_.contains(part.precondition)) continue;
@@ -211,7 +211,7 @@ MutexTable::MutexTable(const task::Task& task, const Limits& limits)
     : fact_count_(task.facts.size()),
       words_(task::wordsFor(task.facts.size())),
       applicable_(task.operators.size(), false) {
-  if (words_ * fact_count_ * sizeof(Word) <= std::min(kMostBytes, limits.bytes / 4)) {
+  if (words_ * fact_count_ * sizeof(Word) <= std::min(kMaxBytes, limits.bytes / 4)) {
     together_.assign(words_ * fact_count_, 0);
     const task::State initial = task::initialState(task);
     for (const FactId fact : task.initial)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Answers ask_human by asking a person in this terminal, who hears how tasks end, too, and may
 // choose what to do instead.
-#include "goal_alignment/ros_interface/console_dialogue.h"
+#include "goal_alignment/dialogues/console_dialogue.h"
 
 #include <ros/ros.h>
 #include <unistd.h>
@@ -10,15 +10,18 @@
 #include <iostream>
 #include <thread>
 
-#include "goal_alignment/ros_interface/graceful_end.h"
-#include "goal_alignment/ros_interface/model_source.h"
-#include "goal_alignment/ros_interface/outcome_watch.h"
-#include "goal_alignment/ros_interface/utf8_log.h"
-#include "goal_alignment/ros_interface/vocabulary_file.h"
+#include "goal_alignment/aligner/align_goal_reader.h"
+#include "goal_alignment/dialogues/outcome_watch.h"
+#include "goal_alignment/dialogues/vocabulary_file.h"
+#include "goal_alignment/ros_common/deferred_shutdown.h"
+#include "goal_alignment/ros_common/utf8_log.h"
 
 namespace {
 
-using namespace goal_alignment::ros_interface;  // NOLINT(google-build-using-namespace): a main
+using namespace goal_alignment;  // NOLINT(google-build-using-namespace): a main of one file
+using dialogues::ConsoleDialogue;
+using dialogues::OutcomeWatch;
+using dialogues::PromptedTerminal;
 using goal_alignment::phrasing::Phrases;
 
 constexpr double kLookPeriod = 0.05;  // seconds
@@ -26,7 +29,7 @@ constexpr double kLookPeriod = 0.05;  // seconds
 // Only for its language, so that it is no reason not to ask.
 Phrases phrasesOfParameter() {
   try {
-    return phrasesOf(ros::NodeHandle("~").param<std::string>("phrases", ""));
+    return aligner::phrasesOf(ros::NodeHandle("~").param<std::string>("phrases", ""));
   } catch (const std::exception& error) {
     ROS_WARN("no phrases: %s", error.what());
     return {};
@@ -54,12 +57,12 @@ void tellEnds(OutcomeWatch& ends, ConsoleDialogue& dialogue, PromptedTerminal& t
 
 void run() {
   const std::string vocabulary =
-      ros::NodeHandle("~").param<std::string>("vocabulary", kDefaultVocabulary);
+      ros::NodeHandle("~").param<std::string>("vocabulary", dialogues::kDefaultVocabulary);
   const Phrases phrases = phrasesOfParameter();
   OutcomeWatch ends{ros::NodeHandle{}};  // before there can be a question
   PromptedTerminal terminal(std::cout);
-  ConsoleDialogue dialogue(ros::NodeHandle{}, STDIN_FILENO, terminal, vocabularyOf(vocabulary),
-                           phrases);
+  ConsoleDialogue dialogue(ros::NodeHandle{}, STDIN_FILENO, terminal,
+                           dialogues::vocabularyOf(vocabulary), phrases);
   ros::AsyncSpinner spinner(2);  // a second asker waits for the first
   spinner.start();
   std::thread talk([&] { tellEnds(ends, dialogue, terminal, phrases); });
@@ -72,9 +75,9 @@ void run() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  logInUtf8();
+  ros_common::logInUtf8();
   ros::init(argc, argv, "console_dialogue");
-  endOnSigterm();
+  ros_common::shutDownOnSigterm();
   try {
     run();
   } catch (const std::exception& error) {

@@ -18,23 +18,23 @@
 #include <string>
 #include <thread>
 
+#include "demo_narrator.h"
 #include "goal_alignment/AlignAction.h"
 #include "goal_alignment/ExecutePlanAction.h"
+#include "goal_alignment/aligner/align_goal_reader.h"
+#include "goal_alignment/dialogues/console_dialogue.h"
+#include "goal_alignment/dialogues/vocabulary_file.h"
 #include "goal_alignment/execution/names.h"
-#include "goal_alignment/ros_interface/console_dialogue.h"
-#include "goal_alignment/ros_interface/model_source.h"
-#include "goal_alignment/ros_interface/node_constants.h"
-#include "goal_alignment/ros_interface/task_file.h"
-#include "goal_alignment/ros_interface/task_story.h"
-#include "goal_alignment/ros_interface/utf8_log.h"
-#include "goal_alignment/ros_interface/vocabulary_file.h"
+#include "goal_alignment/ros_common/names.h"
+#include "goal_alignment/ros_common/utf8_log.h"
+#include "task_file.h"
 
 namespace {
 
 using namespace goal_alignment;  // NOLINT(google-build-using-namespace): a main of one file
-using ros_interface::ConsoleDialogue;
-using ros_interface::PromptedTerminal;
-using ros_interface::TaskStory;
+using dialogues::ConsoleDialogue;
+using dialogues::PromptedTerminal;
+using nodes::DemoNarrator;
 
 constexpr double kServerPatience = 60;  // seconds until the other nodes must be there
 constexpr double kStoryPatience = 10;   // seconds until what belongs to a result must be heard
@@ -93,7 +93,7 @@ class Person {
   Person(bool is_asked, const std::string& vocabulary, const phrasing::Phrases& phrases) {
     if (!is_asked) return;
     dialogue_ = std::make_unique<ConsoleDialogue>(ros::NodeHandle{}, STDIN_FILENO, terminal_,
-                                                  ros_interface::vocabularyOf(vocabulary), phrases);
+                                                  dialogues::vocabularyOf(vocabulary), phrases);
     talk_ = std::thread([this] { dialogue_->run(); });
   }
   ~Person() {
@@ -113,7 +113,7 @@ class Person {
 
  private:
   PromptedTerminal terminal_{std::cout};
-  ros_interface::TerminalStream told_{terminal_};
+  dialogues::TerminalStream told_{terminal_};
   std::unique_ptr<ConsoleDialogue> dialogue_;
   std::thread talk_;
 };
@@ -122,7 +122,7 @@ class Person {
 class Plans {
  public:
   explicit Plans(ros::NodeHandle& node)
-      : results_(node.subscribe(std::string(ros_interface::kAlignerAlignAction) + "/result", 10,
+      : results_(node.subscribe(std::string(ros_common::kAlignerAlignAction) + "/result", 10,
                                 &Plans::hear, this)) {}
 
   /// Whether a goal of the session has ended with a plan.
@@ -148,12 +148,12 @@ class Alignment {
  public:
   /// Where not all that is wanted can be had, the likeliest alternative is taken up if it
   /// `settles` for that; else the person is asked, or somebody else has to choose.
-  Alignment(ros::NodeHandle& node, TaskStory& story, Person& person, bool settles)
+  Alignment(ros::NodeHandle& node, DemoNarrator& story, Person& person, bool settles)
       : story_(story),
         person_(person),
         settles_(settles),
         plans_(node),
-        client_(node, ros_interface::kAlignerAlignAction, false) {
+        client_(node, ros_common::kAlignerAlignAction, false) {
     const boost::function<void(const AlignmentState::ConstPtr&)> hear_state =
         [this](const AlignmentState::ConstPtr& state) {
           story_.hear(*state);
@@ -165,16 +165,16 @@ class Alignment {
           hears_questions_ = true;
         };
     states_ =
-        node.subscribe<AlignmentState>(ros_interface::kAlignerStateTopic, kQueueSize, hear_state);
+        node.subscribe<AlignmentState>(ros_common::kAlignerStateTopic, kQueueSize, hear_state);
     questions_ =
-        node.subscribe<Question>(ros_interface::kAlignerQuestionTopic, kQueueSize, hear_question);
+        node.subscribe<Question>(ros_common::kAlignerQuestionTopic, kQueueSize, hear_question);
   }
 
   Plan run(const HumanTask& task) {
-    waitForServer(client_, ros_interface::kAlignerAlignAction);
+    waitForServer(client_, ros_common::kAlignerAlignAction);
     // The last ones are latched; a short task would end before the topics are heard.
-    waitFor(ros_interface::kAlignerStateTopic, [this] { return hears_states_.load(); });
-    waitFor(ros_interface::kAlignerQuestionTopic, [this] { return hears_questions_.load(); });
+    waitFor(ros_common::kAlignerStateTopic, [this] { return hears_states_.load(); });
+    waitFor(ros_common::kAlignerQuestionTopic, [this] { return hears_questions_.load(); });
     AlignGoal goal;
     goal.task = task;
     goal.source = AlignGoal::PARAMS;
@@ -245,7 +245,7 @@ class Alignment {
     throw std::runtime_error("interrupted");
   }
 
-  TaskStory& story_;
+  DemoNarrator& story_;
   Person& person_;
   bool settles_;
   Plans plans_;
@@ -256,7 +256,7 @@ class Alignment {
   AlignClient client_;
 };
 
-void execute(ros::NodeHandle& node, TaskStory& story, const Plan& plan) {
+void execute(ros::NodeHandle& node, DemoNarrator& story, const Plan& plan) {
   using Client = actionlib::SimpleActionClient<ExecutePlanAction>;
   Client client(node, execution::kExecutePlanAction, false);
   waitForServer(client, execution::kExecutePlanAction);
@@ -287,15 +287,15 @@ void run() {
   std::string file;
   if (!private_node.getParam("task", file))
     throw std::invalid_argument(private_node.resolveName("task") + " is not set");
-  const HumanTask task = ros_interface::taskOfFile(file);
+  const HumanTask task = nodes::taskOfFile(file);
   ros::AsyncSpinner spinner(3);  // one for a question that waits for its answer
   spinner.start();
   const phrasing::Phrases phrases =
-      ros_interface::phrasesOf(private_node.param<std::string>("phrases", ""));
+      aligner::phrasesOf(private_node.param<std::string>("phrases", ""));
   Person person(private_node.param("interactive", false),
-                private_node.param<std::string>("vocabulary", ros_interface::kDefaultVocabulary),
+                private_node.param<std::string>("vocabulary", dialogues::kDefaultVocabulary),
                 phrases);
-  TaskStory story(person.hears(), phrases, !person.isAsked());
+  DemoNarrator story(person.hears(), phrases, !person.isAsked());
   story.begin(task);
   waitForClock();
   const bool settles = private_node.param("settles", !person.isAsked());
@@ -306,7 +306,7 @@ void run() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  goal_alignment::ros_interface::logInUtf8();
+  goal_alignment::ros_common::logInUtf8();
   ros::init(argc, argv, "demo_task", ros::init_options::NoSigintHandler);
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);

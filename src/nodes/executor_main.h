@@ -12,7 +12,7 @@
 #include "goal_alignment/execution/graph_view.h"
 #include "goal_alignment/execution/names.h"
 #include "goal_alignment/execution/plan_executor.h"
-#include "goal_alignment/ros_interface/graceful_end.h"
+#include "goal_alignment/ros_common/deferred_shutdown.h"
 
 namespace goal_alignment::nodes {
 
@@ -27,7 +27,7 @@ inline bool isTaken(const ros::NodeHandle& node,
       "%s offers %s already, and both would carry out every plan: this one does not start. "
       "Another robot's executor belongs into a namespace of its own",
       other->c_str(), action.c_str());
-  ros_interface::flushPublished();
+  ros_common::flushPublished();
   return true;
 }
 
@@ -35,8 +35,7 @@ inline bool isTaken(const ros::NodeHandle& node,
 /// mapping speaks. Returns the exit status.
 inline int runExecutor(int argc, char** argv, const char* default_name,
                        std::optional<execution::StepKind> default_kind) {
-  using namespace ros_interface;  // NOLINT(google-build-using-namespace)
-  initWithLastWords(argc, argv, default_name);
+  ros_common::initWithDeferredShutdown(argc, argv, default_name);
   const ros::NodeHandle node;
   const ros::NodeHandle private_node("~");
   const std::string name = ros::this_node::getName();
@@ -53,9 +52,9 @@ inline int runExecutor(int argc, char** argv, const char* default_name,
   // Goals, cancels, what servers say and frames each find a thread.
   ros::AsyncSpinner spinner(4);
   spinner.start();
-  waitUntilToldToEnd();
+  ros_common::waitForShutdownRequest();
   executor.endGoals();
-  flushPublished();
+  ros_common::flushPublished();
   spinner.stop();
   ros::shutdown();
   return EXIT_SUCCESS;

@@ -2,20 +2,20 @@
 // Aligns people's tasks with what the robot can do: README.md, "Interface".
 #include <ros/ros.h>
 
-#include "goal_alignment/ros_interface/aligner_node.h"
-#include "goal_alignment/ros_interface/graceful_end.h"
-#include "goal_alignment/ros_interface/node_constants.h"
+#include "goal_alignment/aligner/aligner_node.h"
+#include "goal_alignment/ros_common/deferred_shutdown.h"
+#include "goal_alignment/ros_common/names.h"
 
 int main(int argc, char** argv) {
-  using namespace goal_alignment::ros_interface;  // NOLINT(google-build-using-namespace)
-  initWithLastWords(argc, argv, kDefaultNodeName);
-  AlignerNode node{ros::NodeHandle{}, ros::NodeHandle{"~"}};
+  namespace ros_common = goal_alignment::ros_common;
+  ros_common::initWithDeferredShutdown(argc, argv, ros_common::kDefaultNodeName);
+  goal_alignment::aligner::AlignerNode node{ros::NodeHandle{}, ros::NodeHandle{"~"}};
   // Goals, cancels, answers and tasks each find a thread.
   ros::AsyncSpinner spinner(4);
   spinner.start();
-  waitUntilToldToEnd();
+  ros_common::waitForShutdownRequest();
   node.endGoals();
-  flushPublished();
+  ros_common::flushPublished();
   spinner.stop();
   ros::shutdown();
 }

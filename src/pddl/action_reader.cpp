@@ -51,7 +51,7 @@ ast::CostEffect readIncrease(TokenReader& reader) {
 }
 
 /// Bounds what a single action can cost.
-constexpr std::size_t kMostCosts = 100;
+constexpr std::size_t kMaxCosts = 100;
 
 /// Conditions are copied to all that stands below them, so this bounds what an effect grows to.
 constexpr int kDeepestEffect = 10;
@@ -128,9 +128,9 @@ class EffectReader {
     if (depth_ > 0) {
       reader_.failUnsupported(increase.position, "a cost inside of 'forall' or 'when'");
     }
-    if (action_.costs.size() == kMostCosts) {
+    if (action_.costs.size() == kMaxCosts) {
       reader_.failUnsupported(increase.position,
-                              "more than " + std::to_string(kMostCosts) + " costs of one action");
+                              "more than " + std::to_string(kMaxCosts) + " costs of one action");
     }
     action_.costs.push_back(readIncrease(reader_));
   }

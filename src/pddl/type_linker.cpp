@@ -13,7 +13,7 @@ namespace goal_alignment::pddl {
 namespace {
 
 /// Bounds what Model::isSubtype() costs, which every fact and every effect asks.
-constexpr std::size_t kMostAbove = 100;
+constexpr std::size_t kMaxAbove = 100;
 
 /// Types stand below `object`; lists may name a parent before, after or without declaring it, and
 /// one type below several parents.
@@ -55,10 +55,10 @@ class TypeLinker {
     std::vector<TypeId>& parents = parents_[child];
     if (std::find(parents.begin(), parents.end(), parent) != parents.end()) return;
     parents.push_back(parent);
-    if (parents.size() > kMostAbove) failAbove(child);
+    if (parents.size() > kMaxAbove) failAbove(child);
   }
 
-  /// Each type once all its parents are done, in O(types · kMostAbove · their parents).
+  /// Each type once all its parents are done, in O(types · kMaxAbove · their parents).
   void setAllAbove() {
     std::vector<std::vector<TypeId>> children(types_.size());
     std::vector<std::size_t> waits_for(types_.size());
@@ -87,7 +87,7 @@ class TypeLinker {
     }
     std::sort(above.begin(), above.end());
     above.erase(std::unique(above.begin(), above.end()), above.end());
-    if (above.size() > kMostAbove) failAbove(type);
+    if (above.size() > kMaxAbove) failAbove(type);
   }
 
   /// Of the types that wait for a parent, each has one that waits as well.
@@ -101,10 +101,10 @@ class TypeLinker {
       ++type;
     for (std::vector<bool> seen(types_.size()); !seen[type]; type = up(type))
       seen[type] = true;
-    constexpr int kMostNamed = 5;
+    constexpr int kMaxNamed = 5;
     std::string chain;
     TypeId at = type;
-    for (int named = 0; named < kMostNamed && (named == 0 || at != type); ++named, at = up(at)) {
+    for (int named = 0; named < kMaxNamed && (named == 0 || at != type); ++named, at = up(at)) {
       chain += (named == 0 ? "" : ", ") + spelled(at) + " at " + toString(positions_[at]) +
                " stands below " + spelled(up(at));
     }
@@ -114,7 +114,7 @@ class TypeLinker {
   }
 
   [[noreturn]] void failAbove(TypeId type) const {
-    fail(positions_[type], "types are nested deeper than " + std::to_string(kMostAbove));
+    fail(positions_[type], "types are nested deeper than " + std::to_string(kMaxAbove));
   }
 
   [[noreturn]] void fail(SourcePosition at, const std::string& message) const {

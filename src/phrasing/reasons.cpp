@@ -6,14 +6,14 @@
 /// What is asked and why, where the answers lead, and what there is instead.
 namespace goal_alignment::phrasing {
 
-using questions::Prospect;
+using questions::AnswerEffect;
 using questions::Reason;
-using Ending = questions::Prospect::Ending;
+using Ending = questions::AnswerEffect::Ending;
 
 namespace {
 
 /// More reasons than a person listens to.
-constexpr std::size_t kMostReasons = 3;
+constexpr std::size_t kMaxReasons = 3;
 
 std::string joined(const std::vector<std::string>& sentences) {
   std::string text;
@@ -23,7 +23,8 @@ std::string joined(const std::vector<std::string>& sentences) {
   return text;
 }
 
-std::string ifNo(const Phrases& phrases, const Prospect& prospect, bool group, bool provisional) {
+std::string ifNo(const Phrases& phrases, const AnswerEffect& prospect, bool group,
+                 bool provisional) {
   const std::string condition = group ? "if_none" : "if_no";
   if (prospect.ending == Ending::Plan)
     return phrases.say(condition + (provisional ? "_ahead" : "_rest"));
@@ -31,7 +32,7 @@ std::string ifNo(const Phrases& phrases, const Prospect& prospect, bool group, b
   return phrases.counted(condition + "_saves", prospect.settled);
 }
 
-std::string ifYes(const Phrases& phrases, const Prospect& prospect, bool group, bool conflict) {
+std::string ifYes(const Phrases& phrases, const AnswerEffect& prospect, bool group, bool conflict) {
   const std::string condition = group ? "if_all" : "if_yes";
   switch (prospect.ending) {
     case Ending::NoPlan:
@@ -62,8 +63,8 @@ std::string Phrases::reason(const std::vector<Literal>& conflict, bool proven, b
   return say((proven ? "reason_" : "maybe_") + how_many, {clauses(conflict)});
 }
 
-std::string Phrases::why(const std::vector<Reason>& reasons, const Prospect& if_yes,
-                         const Prospect& if_no, bool provisional) const {
+std::string Phrases::why(const std::vector<Reason>& reasons, const AnswerEffect& if_yes,
+                         const AnswerEffect& if_no, bool provisional) const {
   std::vector<Reason> distinct;
   for (const Reason& reason : reasons) {
     const bool says_something = !reason.conflict.empty() || reason.extra_cost > 0;
@@ -72,7 +73,7 @@ std::string Phrases::why(const std::vector<Reason>& reasons, const Prospect& if_
   }
   std::vector<std::string> sentences;
   bool conflict = false;
-  for (std::size_t i = 0; i < distinct.size() && i < kMostReasons; ++i) {
+  for (std::size_t i = 0; i < distinct.size() && i < kMaxReasons; ++i) {
     const Reason& each = distinct[i];
     conflict = conflict || !each.conflict.empty();
     sentences.push_back(each.conflict.empty()
@@ -80,7 +81,7 @@ std::string Phrases::why(const std::vector<Reason>& reasons, const Prospect& if_
                             : reason(each.conflict, each.proven, each.alone));
   }
   const bool group = reasons.size() > 1;
-  if (distinct.size() > kMostReasons) sentences.push_back(say("more_reasons"));
+  if (distinct.size() > kMaxReasons) sentences.push_back(say("more_reasons"));
   sentences.push_back(ifNo(*this, if_no, group, provisional));
   sentences.push_back(ifYes(*this, if_yes, group, conflict));
   return joined(sentences);

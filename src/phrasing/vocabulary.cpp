@@ -11,7 +11,7 @@ namespace goal_alignment::phrasing {
 namespace {
 
 constexpr const char* kTypographicApostrophe = "\u2019";
-constexpr std::size_t kMostWords = 50;  // of an answer
+constexpr std::size_t kMaxWords = 50;  // of an answer
 
 // Bytes beyond ASCII belong to letters.
 bool isInWord(char c) {
@@ -99,7 +99,7 @@ std::vector<Vocabulary::Words> Vocabulary::textsOf(const Words& words) const {
   std::vector<std::size_t> ends = {0};
   std::vector<std::vector<std::size_t>> untried;
   std::vector<bool> leads_nowhere(words.size() + 1, false);
-  if (words.size() > kMostWords) return {};
+  if (words.size() > kMaxWords) return {};
   while (!ends.empty() && ends.back() < words.size()) {
     const std::size_t at = ends.back();
     if (untried.size() < ends.size()) {

@@ -11,12 +11,12 @@ namespace goal_alignment::questions {
 /// is certain.
 class AskAllPolicy : public Policy {
  public:
-  explicit AskAllPolicy(Setting setting) : setting_(std::move(setting)) {}
+  explicit AskAllPolicy(PolicyContext setting) : setting_(std::move(setting)) {}
   std::optional<Choice> next(const Situation& situation) override;
   bool usesConflicts() const override { return false; }
 
  private:
-  Setting setting_;
+  PolicyContext setting_;
 };
 
 }  // namespace goal_alignment::questions

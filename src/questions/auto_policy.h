@@ -11,7 +11,7 @@ class AutoPolicy : public OptimalPolicy {
   /// Some 20 ms; less than 50 on a machine that others use, too.
   static constexpr std::uint64_t kWork = 2'000'000;
 
-  explicit AutoPolicy(const Setting& setting) : OptimalPolicy(setting, kWork) {}
+  explicit AutoPolicy(const PolicyContext& setting) : OptimalPolicy(setting, kWork) {}
 };
 
 }  // namespace goal_alignment::questions

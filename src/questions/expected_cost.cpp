@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "family_symmetry.h"
+#include "dnf_symmetry.h"
 #include "live_conflict.h"
 
 namespace goal_alignment::questions {
@@ -14,25 +14,25 @@ namespace {
 constexpr double kNoCutoff = std::numeric_limits<double>::infinity();
 
 /// Families remembered from one decision to the next: some 100 MiB.
-constexpr std::size_t kMostKnown = std::size_t{1} << 21U;
+constexpr std::size_t kMaxKnown = std::size_t{1} << 21U;
 
 /// About a millisecond.
 constexpr std::uint64_t kWorkBetweenPolls = 100'000;
 
 }  // namespace
 
-std::optional<Bits> ExpectedCost::bestFirst(const Family& family, std::uint64_t work) {
+std::optional<CandidateMask> ExpectedCost::bestFirst(const MonotoneDnf& dnf, std::uint64_t work) {
   allow(work);
-  if (const Bits first = certainlyFirst(family, p_); first != 0) return first;
+  if (const CandidateMask first = certainlyFirst(dnf, p_); first != 0) return first;
   try {
     double best = kNoCutoff;
-    Bits result = 0;
-    for (Option& option : optionsOf(family)) {
+    CandidateMask result = 0;
+    for (Option& option : optionsOf(dnf)) {
       const double of_option = valueOf(option, best * (1 + kTolerance));
       if (of_option > best * (1 + kTolerance)) continue;
       if (of_option < best * (1 - kTolerance)) result = 0;
       best = std::min(best, of_option);
-      result |= alike(family, p_, option.candidate);
+      result |= alike(dnf, p_, option.candidate);
     }
     return result;
   } catch (const OutOfWork&) {
@@ -40,10 +40,10 @@ std::optional<Bits> ExpectedCost::bestFirst(const Family& family, std::uint64_t 
   }
 }
 
-std::optional<double> ExpectedCost::of(const Family& family, std::uint64_t work) {
+std::optional<double> ExpectedCost::of(const MonotoneDnf& dnf, std::uint64_t work) {
   allow(work);
   try {
-    return value(family, kNoCutoff);
+    return value(dnf, kNoCutoff);
   } catch (const OutOfWork&) {
     return std::nullopt;
   }
@@ -51,35 +51,35 @@ std::optional<double> ExpectedCost::of(const Family& family, std::uint64_t work)
 
 /// Exact where it is below the cutoff; otherwise no more than the true value, and not below the
 /// cutoff.
-double ExpectedCost::value(const Family& family, double cutoff) {
-  if (isDisjoint(family)) return disjointCost(family, p_);
-  const FamilyKey key = keyUpToNames(family, p_);
+double ExpectedCost::value(const MonotoneDnf& dnf, double cutoff) {
+  if (isDisjoint(dnf)) return disjointCost(dnf, p_);
+  const DnfKey key = keyUpToNames(dnf, p_);
   if (const auto found = known_.find(key); found != known_.end()) {
     if (found->second.exact || found->second.value >= cutoff) return found->second.value;
   }
-  const double result = leastOver(family, cutoff);
+  const double result = leastOver(dnf, cutoff);
   Known& known = known_[key];
   known = {std::max(known.value, result), result < cutoff};
   return result;
 }
 
-double ExpectedCost::leastOver(const Family& family, double cutoff) {
-  spend(family.size());
-  if (const Bits first = certainlyFirst(family, p_); first != 0) {
-    Option option = optionOf(family, firstBit(first));
+double ExpectedCost::leastOver(const MonotoneDnf& dnf, double cutoff) {
+  spend(dnf.size());
+  if (const CandidateMask first = certainlyFirst(dnf, p_); first != 0) {
+    Option option = optionOf(dnf, firstBit(first));
     return valueOf(option, cutoff);
   }
   double best = kNoCutoff;
-  for (Option& option : optionsOf(family))
+  for (Option& option : optionsOf(dnf))
     best = std::min(best, valueOf(option, std::min(best, cutoff)));
   return best;
 }
 
 /// The most promising first, which makes the cutoff sharp for the rest.
-std::vector<ExpectedCost::Option> ExpectedCost::optionsOf(const Family& family) {
+std::vector<ExpectedCost::Option> ExpectedCost::optionsOf(const MonotoneDnf& dnf) {
   std::vector<Option> options;
-  for (Bits left = worthAsking(family, p_); left != 0; left = withoutFirst(left))
-    options.push_back(optionOf(family, firstBit(left)));
+  for (CandidateMask left = worthAsking(dnf, p_); left != 0; left = clearLowestBit(left))
+    options.push_back(optionOf(dnf, firstBit(left)));
   std::sort(options.begin(), options.end(),
             [](const Option& a, const Option& b) { return a.least < b.least; });
   return options;
@@ -105,13 +105,13 @@ double ExpectedCost::valueOf(Option& option, double cutoff) {
   return option.least;
 }
 
-ExpectedCost::Option ExpectedCost::optionOf(const Family& family, std::size_t candidate) {
+ExpectedCost::Option ExpectedCost::optionOf(const MonotoneDnf& dnf, std::size_t candidate) {
   Option option;
   option.candidate = candidate;
-  option.yes = family.ifWanted(candidate);
-  option.no = family.ifNotWanted(candidate);
-  const std::size_t with = family.size() - option.no.size();
-  const std::uint64_t work = 16 + 3 * family.size() + with * option.no.size();
+  option.yes = dnf.ifWanted(candidate);
+  option.no = dnf.ifNotWanted(candidate);
+  const std::size_t with = dnf.size() - option.no.size();
+  const std::uint64_t work = 16 + 3 * dnf.size() + with * option.no.size();
   spend(has_alike_ ? 2 * work : work);  // keys take as long as all the rest
 
   const double p = p_[candidate];
@@ -121,14 +121,14 @@ ExpectedCost::Option ExpectedCost::optionOf(const Family& family, std::size_t ca
   return option;
 }
 
-double ExpectedCost::bound(const Family& family) const {
-  if (isDisjoint(family)) return disjointCost(family, p_);
-  const auto found = known_.find(keyUpToNames(family, p_));
-  return found != known_.end() ? found->second.value : leastCost(family, p_);
+double ExpectedCost::bound(const MonotoneDnf& dnf) const {
+  if (isDisjoint(dnf)) return disjointCost(dnf, p_);
+  const auto found = known_.find(keyUpToNames(dnf, p_));
+  return found != known_.end() ? found->second.value : leastCost(dnf, p_);
 }
 
 void ExpectedCost::allow(std::uint64_t work) {
-  if (known_.size() > kMostKnown) known_.clear();
+  if (known_.size() > kMaxKnown) known_.clear();
   work_left_ = work;
   next_poll_ = work;
 }

@@ -8,30 +8,30 @@
 #include <utility>
 #include <vector>
 
-#include "family.h"
-#include "family_bounds.h"
+#include "dnf_bounds.h"
+#include "monotone_dnf.h"
 
 namespace goal_alignment::questions {
 
 /// The least expected number of questions, exactly: stochastic Boolean function evaluation of a
-/// monotone DNF by expectimax over families with memory (Ünlüyurt, "Sequential testing of complex
+/// monotone DNF by expectimax over DNFs with memory (Ünlüyurt, "Sequential testing of complex
 /// systems", 2004). The problem is NP-hard already for sets of two (Allen, Hellerstein, Kletenik &
 /// Ünlüyurt, 2017): branch and bound with the rules and bounds of family_bounds.h keeps most
-/// families small, and an allowance of work bounds the rest. What was computed is remembered, so
+/// DNFs small, and an allowance of work bounds the rest. What was computed is remembered, so
 /// that the states a dialogue comes to are known already.
 class ExpectedCost {
  public:
   /// `poll` is called every millisecond or so; what it throws ends the computation.
   explicit ExpectedCost(const Chances& p, std::function<void()> poll = {})
-      : p_(p), poll_(std::move(poll)), has_alike_(p.anyAlike(~Bits{0})) {}
+      : p_(p), poll_(std::move(poll)), has_alike_(p.anyAlike(~CandidateMask{0})) {}
 
   /// Candidates that a best dialogue may ask first, or nothing where the work would be more than
   /// allowed: all that tie, except where a rule says without looking ahead that some are best. The
-  /// family must not be empty. A unit of work takes some 10 ns and 5 bytes that stay.
-  std::optional<Bits> bestFirst(const Family& family, std::uint64_t work);
+  /// dnf must not be empty. A unit of work takes some 10 ns and 5 bytes that stay.
+  std::optional<CandidateMask> bestFirst(const MonotoneDnf& dnf, std::uint64_t work);
 
   /// The expected number itself.
-  std::optional<double> of(const Family& family, std::uint64_t work);
+  std::optional<double> of(const MonotoneDnf& dnf, std::uint64_t work);
 
   const Chances& chances() const { return p_; }
   std::size_t states() const { return known_.size(); }
@@ -43,13 +43,13 @@ class ExpectedCost {
     bool exact = false;  // otherwise the true value is not below
   };
   struct Hash {
-    std::size_t operator()(const FamilyKey& key) const { return key.low; }
+    std::size_t operator()(const DnfKey& key) const { return key.low; }
   };
-  /// A question with the families it leads to.
+  /// A question with the DNFs it leads to.
   struct Option {
     std::size_t candidate;
-    Family yes;
-    Family no;
+    MonotoneDnf yes;
+    MonotoneDnf no;
     double least_yes;
     double least_no;
     double least;
@@ -57,12 +57,12 @@ class ExpectedCost {
     void weigh(double p) { least = 1 + p * least_yes + (1 - p) * least_no; }
   };
 
-  double value(const Family& family, double cutoff);
-  double leastOver(const Family& family, double cutoff);
-  std::vector<Option> optionsOf(const Family& family);
+  double value(const MonotoneDnf& dnf, double cutoff);
+  double leastOver(const MonotoneDnf& dnf, double cutoff);
+  std::vector<Option> optionsOf(const MonotoneDnf& dnf);
   double valueOf(Option& option, double cutoff);
-  Option optionOf(const Family& family, std::size_t candidate);
-  double bound(const Family& family) const;
+  Option optionOf(const MonotoneDnf& dnf, std::size_t candidate);
+  double bound(const MonotoneDnf& dnf) const;
   void allow(std::uint64_t work);
   void spend(std::uint64_t work);
 
@@ -70,7 +70,7 @@ class ExpectedCost {
   std::function<void()> poll_;
   bool has_alike_;
   std::uint64_t next_poll_ = 0;  // at this much work left
-  std::unordered_map<FamilyKey, Known, Hash> known_;
+  std::unordered_map<DnfKey, Known, Hash> known_;
   std::uint64_t work_left_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace goal_alignment::questions {
 namespace {
 
 /// Beyond those, combinations of answers are too unlikely to count.
-constexpr std::size_t kMostLeaves = 64;
+constexpr std::size_t kMaxLeaves = 64;
 
 /// One combination of answers to the group.
 struct Leaf {
@@ -62,7 +62,7 @@ class Group {
     }
     std::stable_sort(split.begin(), split.end(),
                      [](const Leaf& a, const Leaf& b) { return a.probability > b.probability; });
-    if (split.size() > kMostLeaves) split.resize(kMostLeaves);
+    if (split.size() > kMaxLeaves) split.resize(kMaxLeaves);
     leaves_ = std::move(split);
   }
 

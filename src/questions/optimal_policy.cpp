@@ -10,7 +10,7 @@ namespace goal_alignment::questions {
 
 namespace {
 
-/// From here on the doubt about the outcome guides better than P/E: on random families of 30
+/// From here on the doubt about the outcome guides better than P/E: on random DNFs of 30
 /// candidates, each wanted with a chance of 0.02 to 0.22, by 4 % fewer questions; below, both ask
 /// the same number or P/E fewer (benchmark/questions_benchmark.cpp).
 constexpr double kLikely = 0.3;
@@ -21,17 +21,17 @@ std::optional<Choice> OptimalPolicy::next(const Situation& situation) {
   const std::vector<LiveConflict> live = liveConflicts(situation);
   if (live.empty()) return std::nullopt;
   if (!giveBits(live, situation)) return ratio_.next(situation);
-  const Family family = familyOf(live);
-  const Bits first = cost_->bestFirst(family, work_).value_or(0);
+  const MonotoneDnf dnf = dnfOf(live);
+  const CandidateMask first = cost_->bestFirst(dnf, work_).value_or(0);
   if (first != 0) return choiceOf(first, situation);
-  if (chanceOfNo(family, cost_->chances()) < kLikely) return ratio_.next(situation);
-  const Bits informative = leavingLeastDoubt(family, cost_->chances());
+  if (chanceOfNo(dnf, cost_->chances()) < kLikely) return ratio_.next(situation);
+  const CandidateMask informative = leavingLeastDoubt(dnf, cost_->chances());
   return informative != 0 ? choiceOf(informative, situation) : ratio_.next(situation);
 }
 
-Choice OptimalPolicy::choiceOf(Bits bits, const Situation& situation) {
+Choice OptimalPolicy::choiceOf(CandidateMask bits, const Situation& situation) {
   std::vector<std::size_t> candidates;
-  for (Bits left = bits; left != 0; left = withoutFirst(left))
+  for (CandidateMask left = bits; left != 0; left = clearLowestBit(left))
     candidates.push_back(candidate_of_[firstBit(left)]);
   return anyOf(candidates, situation, random_);
 }
@@ -50,7 +50,7 @@ bool OptimalPolicy::giveBits(const std::vector<LiveConflict>& live, const Situat
     }
   }
   if (fits) return true;
-  if (rising.size() > kMostBits) return false;
+  if (rising.size() > kMaxBits) return false;
   candidate_of_.clear();
   bit_of_.clear();
   std::vector<double> chances;
@@ -63,15 +63,15 @@ bool OptimalPolicy::giveBits(const std::vector<LiveConflict>& live, const Situat
   return true;
 }
 
-Family OptimalPolicy::familyOf(const std::vector<LiveConflict>& live) const {
-  Family family;
+MonotoneDnf OptimalPolicy::dnfOf(const std::vector<LiveConflict>& live) const {
+  MonotoneDnf dnf;
   for (const LiveConflict& conflict : live) {
-    Bits set = 0;
+    CandidateMask set = 0;
     for (const std::size_t f : conflict.open)
       set |= bitOf(bit_of_.at(f));
-    family.add(set);
+    dnf.add(set);
   }
-  return family;
+  return dnf;
 }
 
 }  // namespace goal_alignment::questions

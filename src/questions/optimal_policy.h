@@ -24,15 +24,15 @@ class OptimalPolicy : public Policy {
   /// About a second.
   static constexpr std::uint64_t kWork = 100'000'000;
 
-  explicit OptimalPolicy(const Setting& setting, std::uint64_t work = kWork)
+  explicit OptimalPolicy(const PolicyContext& setting, std::uint64_t work = kWork)
       : work_(work), poll_(setting.poll), random_(setting.seed), ratio_(setting) {}
   std::optional<Choice> next(const Situation& situation) override;
   bool usesConflicts() const override { return true; }
 
  private:
   bool giveBits(const std::vector<LiveConflict>& live, const Situation& situation);
-  Family familyOf(const std::vector<LiveConflict>& live) const;
-  Choice choiceOf(Bits bits, const Situation& situation);
+  MonotoneDnf dnfOf(const std::vector<LiveConflict>& live) const;
+  Choice choiceOf(CandidateMask bits, const Situation& situation);
 
   std::uint64_t work_;
   std::function<void()> poll_;

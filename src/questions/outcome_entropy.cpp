@@ -12,19 +12,19 @@ namespace goal_alignment::questions {
 namespace {
 
 /// log P(no). Stays exact where all sets are very unlikely, unlike the product of 1 − P(S).
-double logOfNo(const Family& family, const Chances& p) {
+double logOfNo(const MonotoneDnf& dnf, const Chances& p) {
   double sum = 0;
-  for (const Bits set : family) {
+  for (const CandidateMask set : dnf) {
     double all = 1;
-    for (Bits left = set; left != 0; left = withoutFirst(left))
+    for (CandidateMask left = set; left != 0; left = clearLowestBit(left))
       all *= p[firstBit(left)];
     sum += std::log1p(-all);
   }
   return sum;
 }
 
-double entropy(const Family& family, const Chances& p) {
-  const double log_of_no = logOfNo(family, p);
+double entropy(const MonotoneDnf& dnf, const Chances& p) {
+  const double log_of_no = logOfNo(dnf, p);
   const double yes = -std::expm1(log_of_no);
   const double doubt_of_yes = yes > 0 ? -yes * std::log(yes) : 0;
   return doubt_of_yes - (yes < 1 ? (1 - yes) * log_of_no : 0);
@@ -32,18 +32,18 @@ double entropy(const Family& family, const Chances& p) {
 
 }  // namespace
 
-double chanceOfNo(const Family& family, const Chances& p) {
-  return std::exp(logOfNo(family, p));
+double chanceOfNo(const MonotoneDnf& dnf, const Chances& p) {
+  return std::exp(logOfNo(dnf, p));
 }
 
-Bits leavingLeastDoubt(const Family& family, const Chances& p) {
-  if (!(entropy(family, p) > 0)) return 0;
+CandidateMask leavingLeastDoubt(const MonotoneDnf& dnf, const Chances& p) {
+  if (!(entropy(dnf, p) > 0)) return 0;
   double least = std::numeric_limits<double>::infinity();
-  Bits result = 0;
-  for (Bits left = family.all(); left != 0; left = withoutFirst(left)) {
+  CandidateMask result = 0;
+  for (CandidateMask left = dnf.all(); left != 0; left = clearLowestBit(left)) {
     const std::size_t f = firstBit(left);
     const double doubt =
-        p[f] * entropy(family.ifWanted(f), p) + (1 - p[f]) * entropy(family.ifNotWanted(f), p);
+        p[f] * entropy(dnf.ifWanted(f), p) + (1 - p[f]) * entropy(dnf.ifNotWanted(f), p);
     if (doubt > least * (1 + kTolerance)) continue;
     if (doubt < least * (1 - kTolerance)) result = 0;
     least = std::min(least, doubt);

@@ -11,14 +11,14 @@ namespace goal_alignment::questions {
 /// \ G^H by falling V^Q, ties at random. Its stopping tests are the session's own.
 class PaperPolicy : public Policy {
  public:
-  explicit PaperPolicy(Setting setting) : setting_(std::move(setting)) {}
+  explicit PaperPolicy(PolicyContext setting) : setting_(std::move(setting)) {}
   std::optional<Choice> next(const Situation& situation) override;
   bool usesConflicts() const override { return false; }
 
  private:
   void fillQueue();
 
-  Setting setting_;
+  PolicyContext setting_;
   bool queue_filled_ = false;
   std::vector<std::size_t> queue_;  // the next question stands last
 };

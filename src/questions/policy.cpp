@@ -16,13 +16,13 @@ namespace goal_alignment::questions {
 namespace {
 
 template <typename Kind>
-std::unique_ptr<Policy> make(Setting setting) {
+std::unique_ptr<Policy> make(PolicyContext setting) {
   return std::make_unique<Kind>(std::move(setting));
 }
 
 struct Entry {
   const char* name;
-  std::unique_ptr<Policy> (*make)(Setting);
+  std::unique_ptr<Policy> (*make)(PolicyContext);
 };
 
 constexpr std::array<Entry, 5> kPolicies = {{
@@ -43,7 +43,7 @@ std::vector<std::string> policyNames() {
   return names;
 }
 
-std::unique_ptr<Policy> makePolicy(const std::string& name, Setting setting) {
+std::unique_ptr<Policy> makePolicy(const std::string& name, PolicyContext setting) {
   std::string known;
   for (const Entry& entry : kPolicies) {
     if (name == entry.name) return entry.make(std::move(setting));

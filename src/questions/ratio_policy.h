@@ -12,7 +12,7 @@ namespace goal_alignment::questions {
 /// systems", 1999); no more than a good guess where they are not. O(total size of the conflicts).
 class RatioPolicy : public Policy {
  public:
-  explicit RatioPolicy(const Setting& setting) : random_(setting.seed) {}
+  explicit RatioPolicy(const PolicyContext& setting) : random_(setting.seed) {}
   std::optional<Choice> next(const Situation& situation) override;
   bool usesConflicts() const override { return true; }
 

@@ -27,7 +27,7 @@ std::size_t Situation::openMembers(const Conflict& conflict) const {
   return count;
 }
 
-achievability::CandidateSet Situation::mattering() const {
+achievability::CandidateSet Situation::relevantCandidates() const {
   achievability::CandidateSet result(knowledge.size());
   for (const Conflict& conflict : conflicts) {
     if (isLive(conflict)) result |= conflict.members;

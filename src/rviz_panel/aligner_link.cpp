@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kLookPeriod = 200;             // milliseconds
 constexpr std::chrono::seconds kSilence{3};  // the status comes every 0.2 s
 constexpr int kReplayAfter = 1500;           // milliseconds: a status comes soon if it comes at all
-constexpr unsigned kMostCalls = 8;           // that hang; each holds a thread
+constexpr unsigned kMaxCalls = 8;            // that hang; each holds a thread
 constexpr int kReplyPatience = 10000;        // milliseconds until a call is given up
 
 ros::Time stampNow() {
@@ -212,7 +212,7 @@ void AlignerLink::revise(int answer, const QStringList& fluents, const QString& 
 
 // roscpp's calls have no time-out: the thread waits, the person doesn't.
 void AlignerLink::call(const char* service, const Answer::Request& request) {
-  if (shared_->hanging >= kMostCalls) {
+  if (shared_->hanging >= kMaxCalls) {
     emit replied(false, QStringLiteral("too many earlier calls have had no reply"));
     return;
   }

@@ -9,8 +9,8 @@
 namespace goal_alignment::rviz_panel {
 namespace {
 
-constexpr int kMargin = 10;        // pixels
-constexpr int kMostButtons = 170;  // pixels: more alternatives scroll
+constexpr int kMargin = 10;       // pixels
+constexpr int kMaxButtons = 170;  // pixels: more alternatives scroll
 constexpr double kLarge = 1.15;
 
 bool isProven(const AlignmentState& state) {
@@ -45,7 +45,7 @@ OutcomeCard::OutcomeCard(QWidget* parent)
       headline_(new WrappedLabel(this)),
       message_(new WrappedLabel(this)),
       conflict_(new WrappedLabel(this)),
-      scroll_(new ShortScroll(kMostButtons, this)),
+      scroll_(new ShortScroll(kMaxButtons, this)),
       again_(new QPushButton(QStringLiteral("Try again"), this)) {
   setObjectName(QStringLiteral("outcome_card"));
   headline_->setLook(kLarge, true);

@@ -11,8 +11,8 @@
 namespace goal_alignment::rviz_panel {
 namespace {
 
-constexpr int kMargin = 10;      // pixels
-constexpr int kMostTicks = 180;  // pixels: a long group scrolls
+constexpr int kMargin = 10;     // pixels
+constexpr int kMaxTicks = 180;  // pixels: a long group scrolls
 constexpr double kLarge = 1.15;
 
 QString countLine(const Question& question) {
@@ -43,7 +43,7 @@ QuestionCard::QuestionCard(QWidget* parent)
       count_(new WrappedLabel(this)),
       text_(new WrappedLabel(this)),
       why_(new WrappedLabel(this)),
-      scroll_(new ShortScroll(kMostTicks, this)),
+      scroll_(new ShortScroll(kMaxTicks, this)),
       buttons_(new QWidget(this)),
       end_(new QWidget(this)) {
   setObjectName(QStringLiteral("question_card"));

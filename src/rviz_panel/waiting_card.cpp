@@ -10,8 +10,8 @@
 namespace goal_alignment::rviz_panel {
 namespace {
 
-constexpr int kMargin = 10;     // pixels
-constexpr int kMostTasks = 90;  // pixels: more of them scroll
+constexpr int kMargin = 10;    // pixels
+constexpr int kMaxTasks = 90;  // pixels: more of them scroll
 
 bool isSame(const WaitingTask& a, const WaitingTask& b) {
   return a.goal_id == b.goal_id && a.task_id == b.task_id && a.person == b.person;
@@ -20,7 +20,7 @@ bool isSame(const WaitingTask& a, const WaitingTask& b) {
 }  // namespace
 
 WaitingCard::WaitingCard(QWidget* parent)
-    : Card(Tone::Muted, parent), scroll_(new ShortScroll(kMostTasks, this)) {
+    : Card(Tone::Muted, parent), scroll_(new ShortScroll(kMaxTasks, this)) {
   setObjectName(QStringLiteral("waiting_card"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kMargin, kMargin - 2, kMargin, kMargin);

@@ -14,7 +14,7 @@ namespace {
 constexpr task::Cost kWeights[] = {5, 3, 2, 1};
 
 /// A restart that finds nothing for so long leaves the rest of the time to the next one.
-constexpr std::uint64_t kMostStates = 500'000;
+constexpr std::uint64_t kMaxStates = 500'000;
 
 bool isFinal(LimitReason reason) {
   return reason == LimitReason::Time || reason == LimitReason::Cancelled;
@@ -34,7 +34,7 @@ Improved improve(const SearchTask& task, const task::Goal& goal, task::Plan plan
     best.cost = result.cost;
     return true;
   };
-  const Limits each = limits.withStates(std::min(limits.states, kMostStates));
+  const Limits each = limits.withStates(std::min(limits.states, kMaxStates));
   for (const task::Cost weight : kWeights) {
     while (take(weighted(task, goal, each, weight, best.cost))) {
     }

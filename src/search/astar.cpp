@@ -21,7 +21,7 @@ using task::OperatorId;
 namespace {
 
 /// What is kept of landmarks may take so much, and no more than a quarter of the limit.
-constexpr std::size_t kMostLandmarkBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxLandmarkBytes = std::size_t{64} << 20U;
 
 /// Ordered by f, then h; the last one in is the first one out.
 class OpenList {
@@ -60,7 +60,7 @@ class AStar {
         monitor_(limits),
         heuristic_(task.task(), goal, limits.cancel),
         space_(task),
-        cache_(std::min(kMostLandmarkBytes, limits.bytes / 4)),
+        cache_(std::min(kMaxLandmarkBytes, limits.bytes / 4)),
         paid_(task.task().operators.size(), 0) {}
 
   Result run() {

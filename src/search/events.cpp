@@ -22,7 +22,7 @@ bool LocalChange::changes() const {
 namespace {
 
 /// More cases of conditional effects than this make no diagram that is worth its time.
-constexpr std::size_t kMostCases = 50'000;
+constexpr std::size_t kMaxCases = 50'000;
 
 /// What holds before and what is done in one case of an operator.
 struct Case {
@@ -59,7 +59,7 @@ class EventBuilder {
     throwIfReached(monitor_.generated(bytes_), "the cases of conditional effects");
     if (!possible(so_far)) return;
     if (index == op.conditional.size()) {
-      if (!op.conditional.empty() && ++cases_ > kMostCases)
+      if (!op.conditional.empty() && ++cases_ > kMaxCases)
         throw LimitReached(LimitReason::States, "the cases of conditional effects");
       finish(id, so_far);
       return;

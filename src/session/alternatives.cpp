@@ -16,7 +16,7 @@ using questions::Knowledge;
 namespace {
 
 /// More alternatives than a person reads.
-constexpr std::size_t kMostAlternatives = 10;
+constexpr std::size_t kMaxAlternatives = 10;
 
 /// Who has ended a dialogue does not wait long for what they could choose.
 constexpr double kSecondsToOffer = 3;
@@ -61,7 +61,7 @@ std::vector<CandidateSet> likeliest(std::vector<CandidateSet> sets,
   });
   std::vector<CandidateSet> result;
   for (const CandidateSet& set : sets) {
-    if (result.size() == kMostAlternatives) break;
+    if (result.size() == kMaxAlternatives) break;
     const bool is_more =
         std::any_of(result.begin(), result.end(),
                     [&](const CandidateSet& likelier) { return likelier.is_subset_of(set); });
@@ -76,7 +76,7 @@ std::vector<CandidateSet> likeliest(std::vector<CandidateSet> sets,
 /// was answered YES can't be had, the same of that. The likeliest first.
 std::vector<Alternative> Session::Implementation::alternativesAfter(OutcomeCode code) {
   std::vector<Alternative> result;
-  if (!leavesAChoice(code) || !robot_side_.achievability || beliefs_.empty()) return result;
+  if (!leavesAChoice(code) || !robot_analysis_.achievability || beliefs_.empty()) return result;
   const std::vector<double> beliefs = answeredBeliefs();
   for (const CandidateSet& given_up : setsToGiveUp(code, beliefs)) {
     if (given_up.any()) result.push_back({fluents(given_up), probabilityOf(given_up, beliefs)});
@@ -93,7 +93,7 @@ std::vector<CandidateSet> Session::Implementation::setsToGiveUp(
   try {
     if (hasTime(code)) {
       const Limits own = of_wanted ? limits() : limits().withSeconds(kSecondsToOffer);
-      sets = robot().alternatives(all, beliefs, kMostAlternatives, own);
+      sets = robot().alternatives(all, beliefs, kMaxAlternatives, own);
       if (!sets.empty() && sets.front().none()) sets = {costlySet(all)};
     }
     if (sets.empty()) sets = knownSetsToGiveUp(all);
@@ -119,7 +119,7 @@ CandidateSet Session::Implementation::costlySet(const CandidateSet& all) {
   if (!costsMatter() || plan == nullptr) return result;
   const CandidateSet kept =
       dialogue_.with(Knowledge::Wanted) | (dialogue_.with(Knowledge::Unsure) & dialogue_.assumed());
-  for (const Dialogue::Posed& posed : tooCostly(kept, all - kept, *plan, all.size()))
+  for (const Dialogue::AskedCandidate& posed : tooCostly(kept, all - kept, *plan, all.size()))
     result.set(posed.candidate);
   return result;
 }

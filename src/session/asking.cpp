@@ -41,17 +41,17 @@ bool Session::Implementation::mayPass(const Literal& fluent) const {
 }
 
 void Session::Implementation::ask(const std::vector<questions::Choice>& choices) {
-  std::vector<Dialogue::Posed> posed;
+  std::vector<Dialogue::AskedCandidate> posed;
   posed.reserve(choices.size());
   for (const questions::Choice& choice : choices)
     posed.push_back({choice.candidate, reasonFor(choice.conflict)});
   ask(posed);
 }
 
-void Session::Implementation::ask(const std::vector<Dialogue::Posed>& posed) {
+void Session::Implementation::ask(const std::vector<Dialogue::AskedCandidate>& posed) {
   std::vector<std::size_t> candidates;
   candidates.reserve(posed.size());
-  for (const Dialogue::Posed& one : posed)
+  for (const Dialogue::AskedCandidate& one : posed)
     candidates.push_back(one.candidate);
   const std::size_t asked = dialogue_.askedWith(candidates);
   if (options_.max_questions >= 0 &&
@@ -70,7 +70,7 @@ void Session::Implementation::ask(const std::vector<Dialogue::Posed>& posed) {
 QuestionView Session::Implementation::openQuestion() const {
   const questions::Situation now = situation();
   QuestionView view;
-  for (const Dialogue::Posed& posed : dialogue_.posed()) {
+  for (const Dialogue::AskedCandidate& posed : dialogue_.posed()) {
     view.fluents.push_back(dialogue_.fluents()[posed.candidate]);
     view.reasons.push_back(reasonNow(posed, now));
     view.probabilities.push_back(beliefs_[posed.candidate]);
@@ -79,14 +79,14 @@ QuestionView Session::Implementation::openQuestion() const {
   view.asked = dialogue_.asked() - 1;
   view.max_remaining = mostRemaining(now);
   view.bound_is_provisional = !robot().complete();
-  view.if_yes = questions::prospect(now, dialogue_.openCandidates(), Knowledge::Wanted);
-  view.if_no = questions::prospect(now, dialogue_.openCandidates(), Knowledge::NotWanted);
+  view.if_yes = questions::answerEffect(now, dialogue_.openCandidates(), Knowledge::Wanted);
+  view.if_no = questions::answerEffect(now, dialogue_.openCandidates(), Knowledge::NotWanted);
   return view;
 }
 
 /// Why it is asked as things stand: where an answer to something else has settled the reason that
 /// it was asked for, another may be left.
-Reason Session::Implementation::reasonNow(const Dialogue::Posed& posed,
+Reason Session::Implementation::reasonNow(const Dialogue::AskedCandidate& posed,
                                           const questions::Situation& now) const {
   const auto rests = [&](const Conflict& conflict) {
     return now.isLive(conflict) && fluents(conflict.members) == posed.reason.conflict;
@@ -102,7 +102,7 @@ Reason Session::Implementation::reasonNow(const Dialogue::Posed& posed,
 /// How many candidates a question may still be about. Each question is about one at least.
 std::size_t Session::Implementation::mostRemaining(const questions::Situation& now) const {
   if (policy_->usesConflicts() && robot().complete() && !costsMatter())
-    return now.mattering().count();
+    return now.relevantCandidates().count();
   const bool any = !policy_->usesConflicts();
   std::size_t count = 0;
   for (std::size_t f = 0; f < now.knowledge.size(); ++f) {

@@ -32,7 +32,7 @@ void Session::Implementation::conclude(const CandidateSet& achieved, const task:
 }
 
 bool Session::Implementation::humanPlanAchieves(const std::vector<Literal>& goal) const {
-  return robot_side_.human_plan_runs &&
+  return robot_analysis_.human_plan_runs &&
          !validation::fault(problem_->robot, problem_->human_plan, goal, cancelOnly());
 }
 

@@ -33,17 +33,17 @@ bool Session::Implementation::anyLive() const {
 bool Session::Implementation::openQuestionMatters() const {
   if (!policy_->usesConflicts()) return true;
   const questions::Situation now = situation();
-  const questions::Prospect as_it_is = questions::prospect(now, {}, Knowledge::Open);
+  const questions::AnswerEffect as_it_is = questions::answerEffect(now, {}, Knowledge::Open);
   const auto& reasons = question_->reasons;
-  if (as_it_is.ending == questions::Prospect::Ending::Plan) {
+  if (as_it_is.ending == questions::AnswerEffect::Ending::Plan) {
     return std::any_of(reasons.begin(), reasons.end(),
                        [](const Reason& reason) { return reason.extra_cost > 0; });
   }
   const auto& waiting = dialogue_.openCandidates();
-  const CandidateSet mattering = now.mattering();
-  return as_it_is.ending == questions::Prospect::Ending::Open &&
+  const CandidateSet relevantCandidates = now.relevantCandidates();
+  return as_it_is.ending == questions::AnswerEffect::Ending::Open &&
          std::any_of(waiting.begin(), waiting.end(),
-                     [&](std::size_t f) { return mattering.test(f); });
+                     [&](std::size_t f) { return relevantCandidates.test(f); });
 }
 
 void Session::Implementation::decide() {

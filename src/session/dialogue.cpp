@@ -62,8 +62,8 @@ std::string Dialogue::refusal(const Literal& fluent, bool revising) const {
   return "";
 }
 
-Receipt Dialogue::answer(const std::vector<Literal>& fluents, AnswerKind kind,
-                         const std::string& answered_by, bool revising) {
+SubmitResult Dialogue::answer(const std::vector<Literal>& fluents, AnswerKind kind,
+                              const std::string& answered_by, bool revising) {
   if (fluents.empty()) return {false, "no fluent is named"};
   for (const Literal& fluent : fluents) {
     if (std::string why = refusal(fluent, revising); !why.empty()) return {false, std::move(why)};
@@ -126,14 +126,14 @@ void Dialogue::noteLateAnswers() {
   }
 }
 
-std::vector<Dialogue::Posed> Dialogue::posed() const {
-  std::vector<Posed> result;
+std::vector<Dialogue::AskedCandidate> Dialogue::posed() const {
+  std::vector<AskedCandidate> result;
   for (std::size_t i = 0; i < open_->candidates.size(); ++i)
     result.push_back({open_->candidates[i], open_->reasons[i]});
   return result;
 }
 
-void Dialogue::ask(const std::vector<Posed>& posed) {
+void Dialogue::ask(const std::vector<AskedCandidate>& posed) {
   OpenQuestion question;
   for (const auto& [candidate, reason] : posed) {
     question.candidates.push_back(candidate);

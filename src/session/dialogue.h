@@ -17,7 +17,7 @@ namespace goal_alignment::session {
 class Dialogue {
  public:
   /// A candidate that is asked about, and why.
-  struct Posed {
+  struct AskedCandidate {
     std::size_t candidate = 0;
     Reason reason;
   };
@@ -31,11 +31,11 @@ class Dialogue {
 
   /// Applies an answer of yes, no or unsure. `revising`: answered fluents may be answered again,
   /// and only those.
-  Receipt answer(const std::vector<Literal>& fluents, AnswerKind kind,
-                 const std::string& answered_by, bool revising);
+  SubmitResult answer(const std::vector<Literal>& fluents, AnswerKind kind,
+                      const std::string& answered_by, bool revising);
 
   /// Opens a question, "which of these matter to you?".
-  void ask(const std::vector<Posed>& posed);
+  void ask(const std::vector<AskedCandidate>& posed);
   /// The person would not answer: the open question, if there is one, ends with that.
   void decline();
   /// Takes the open question back, or what of it nobody has answered.
@@ -50,7 +50,7 @@ class Dialogue {
   bool isOpen() const { return open_.has_value(); }
   const std::vector<std::size_t>& openCandidates() const { return open_->waiting; }
   /// The open question's candidates, answered or not, as they were posed.
-  std::vector<Posed> posed() const;
+  std::vector<AskedCandidate> posed() const;
   const std::vector<questions::Knowledge>& knowledge() const { return knowledge_; }
   const std::string& answeredBy(std::size_t candidate) const { return answered_by_[candidate]; }
   const std::vector<QuestionRecord>& records() const { return records_; }

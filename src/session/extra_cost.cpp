@@ -22,7 +22,7 @@ constexpr std::uint64_t kStates = 20'000;
 
 /// The same where nothing is decided by it: so many in a small task, fewer where each takes longer.
 constexpr std::uint64_t kStatesToTell = 500;
-constexpr std::uint64_t kLeastStates = 100;
+constexpr std::uint64_t kMinStates = 100;
 constexpr std::uint64_t kOperatorsToTell = 4'000'000;
 
 }  // namespace
@@ -44,7 +44,7 @@ search::Improved Session::Implementation::cheapened(const CandidateSet& set, con
 search::Improved Session::Implementation::cheaply(const CandidateSet& set, const task::Plan& plan) {
   const std::size_t operators = std::max<std::size_t>(1, robot().task().operators.size());
   const std::uint64_t states =
-      std::clamp<std::uint64_t>(kOperatorsToTell / operators, kLeastStates, kStatesToTell);
+      std::clamp<std::uint64_t>(kOperatorsToTell / operators, kMinStates, kStatesToTell);
   return cheapened(set, plan, states);
 }
 
@@ -62,11 +62,11 @@ CandidateSet Session::Implementation::trueAtEnd(const task::Plan& plan) const {
 
 /// Those of `open` that each cost more than is let pass to have besides `kept`, `most` at most, the
 /// least likely first. The plan has all of both.
-std::vector<Dialogue::Posed> Session::Implementation::tooCostly(const CandidateSet& kept,
-                                                                const CandidateSet& open,
-                                                                const task::Plan& plan,
-                                                                std::size_t most) {
-  std::vector<Dialogue::Posed> result;
+std::vector<Dialogue::AskedCandidate> Session::Implementation::tooCostly(const CandidateSet& kept,
+                                                                         const CandidateSet& open,
+                                                                         const task::Plan& plan,
+                                                                         std::size_t most) {
+  std::vector<Dialogue::AskedCandidate> result;
   const search::Improved least = cheapened(kept, plan, kStates);
   const auto extra = [&](task::Cost cost) { return cost - least.cost; };
   const auto passes = [&](task::Cost cost) {

@@ -83,7 +83,7 @@ Session::Implementation::Implementation(Options options) : options_(std::move(op
 
 void Session::Implementation::begin(Input input) {
   input_ = std::move(input);
-  robot_side_ = {};
+  robot_analysis_ = {};
   policy_.reset();
   problem_.reset();
   beliefs_.clear();
@@ -158,7 +158,7 @@ State Session::Implementation::step() {
   stopwatch(phase) += took.count() - (statistics_.plan - planning_before);
   statistics_.total += took.count();
   statistics_.planner_calls = belief_calls_ + earlier_robot_calls_ +
-                              (robot_side_.achievability ? robot().plannerCalls() : 0);
+                              (robot_analysis_.achievability ? robot().plannerCalls() : 0);
   return state_;
 }
 
@@ -204,8 +204,8 @@ void Session::Implementation::ground() {
   achievability::SearchBudget budget;
   budget.threads = options_.threads;
   if (options_.conflicts == ConflictMode::Lazy) budget.symbolic = kLazySteps;
-  robot_side_ = alignment::makeRobotSide(*problem_, unit_costs_, budget, limits());
-  policy_ = questions::makePolicy(options_.policy, policySetting());
+  robot_analysis_ = alignment::analyseRobot(*problem_, unit_costs_, budget, limits());
+  policy_ = questions::makePolicy(options_.policy, policyContext());
   conflicts_ended_.clear();
   phase_ = Phase::Check;
 }
@@ -277,8 +277,8 @@ void Session::Implementation::findConflicts() {
                      std::to_string(suspected) + " suspected)";
 }
 
-questions::Setting Session::Implementation::policySetting() {
-  questions::Setting setting;
+questions::PolicyContext Session::Implementation::policyContext() {
+  questions::PolicyContext setting;
   for (const alignment::Candidate& candidate : problem_->candidates) {
     setting.is_static.push_back(candidate.is_static);
   }
@@ -306,8 +306,8 @@ std::vector<bool> Session::Implementation::unachievableAlone() {
   return result;
 }
 
-Receipt Session::Implementation::answer(const std::vector<Literal>& fluents, AnswerKind kind,
-                                        const std::string& answered_by, bool revising) {
+SubmitResult Session::Implementation::answer(const std::vector<Literal>& fluents, AnswerKind kind,
+                                             const std::string& answered_by, bool revising) {
   if (!problem_) return {false, "the models are not read yet; there is no question"};
   step_began_ = Limits::Clock::now();  // what there could be instead may have to be thought about
   if (kind == AnswerKind::Decline) {
@@ -316,7 +316,7 @@ Receipt Session::Implementation::answer(const std::vector<Literal>& fluents, Ans
     finish(OutcomeCode::Declined, answered_by + " declined to answer");
     return {true, ""};
   }
-  Receipt receipt = dialogue_.answer(fluents, kind, answered_by, revising);
+  SubmitResult receipt = dialogue_.answer(fluents, kind, answered_by, revising);
   if (!receipt.accepted) return receipt;
   if (kind == AnswerKind::Unsure && options_.unsure_policy == UnsurePolicy::Abort) {
     ends_unsure_ = true;
@@ -350,8 +350,8 @@ void Session::Implementation::setRobotState(const std::vector<GroundName>& atoms
     init.push_back(std::move(*atom));
   }
   problem_->robot.init = std::move(init);
-  if (robot_side_.achievability) earlier_robot_calls_ += robot().plannerCalls();
-  robot_side_ = {};
+  if (robot_analysis_.achievability) earlier_robot_calls_ += robot().plannerCalls();
+  robot_analysis_ = {};
   dialogue_.withdraw();
   question_.reset();
   resume(Phase::Ground);
@@ -366,7 +366,7 @@ std::vector<GroundName> Session::Implementation::robotState() const {
   return atoms;
 }
 
-void Session::Implementation::goOn(const Options& options) {
+void Session::Implementation::resume(const Options& options) {
   validate(options);
   options_.time_limit = options.time_limit;
   options_.memory_limit = options.memory_limit;
@@ -382,7 +382,7 @@ void Session::Implementation::goOn(const Options& options) {
 /// What is still to be done after an interruption or a new answer.
 Session::Implementation::Phase Session::Implementation::nextPhase() const {
   if (!problem_) return Phase::Read;
-  if (!robot_side_.achievability) return Phase::Ground;
+  if (!robot_analysis_.achievability) return Phase::Ground;
   if (beliefs_.empty()) return phase_ == Phase::Believe ? Phase::Believe : Phase::Check;
   return phase_ == Phase::FindConflicts ? Phase::FindConflicts : Phase::Decide;
 }

@@ -11,7 +11,7 @@
 #include "goal_alignment/achievability/achievability.h"
 #include "goal_alignment/alignment/beliefs.h"
 #include "goal_alignment/alignment/problem.h"
-#include "goal_alignment/alignment/robot_side.h"
+#include "goal_alignment/alignment/robot_analysis.h"
 #include "goal_alignment/questions/policy.h"
 #include "goal_alignment/session/session.h"
 
@@ -24,12 +24,12 @@ class Session::Implementation {
 
   void begin(Input input);
   State step();
-  Receipt answer(const std::vector<Literal>& fluents, AnswerKind kind,
-                 const std::string& answered_by, bool revising);
+  SubmitResult answer(const std::vector<Literal>& fluents, AnswerKind kind,
+                      const std::string& answered_by, bool revising);
   void setRobotState(const std::vector<GroundName>& atoms);
   Consequence whatIf(const std::vector<Literal>& wanted, const std::vector<Literal>& not_wanted,
                      double seconds);
-  void goOn(const Options& options);
+  void resume(const Options& options);
   void finish(OutcomeCode code, std::string message);
 
   Snapshot snapshot() const;
@@ -45,7 +45,7 @@ class Session::Implementation {
   const Dialogue& dialogue() const { return dialogue_; }
   const Statistics& statistics() const { return statistics_; }
   const std::optional<validation::Violation>& humanPlanViolation() const {
-    return robot_side_.human_plan_violation;
+    return robot_analysis_.human_plan_violation;
   }
   CancelToken& cancelToken() { return cancel_; }
 
@@ -61,7 +61,7 @@ class Session::Implementation {
   void believe();
   std::vector<double> costDifferences(alignment::CostOptions options);
   void findConflicts();
-  questions::Setting policySetting();
+  questions::PolicyContext policyContext();
   std::vector<bool> unachievableAlone();
   Limits limits(double seconds_kept = 0) const;
   Limits cancelOnly() const;
@@ -69,8 +69,8 @@ class Session::Implementation {
   Phase nextPhase() const;
   void resume(Phase phase);
   void finish(Outcome outcome);
-  achievability::Achievability& robot() { return *robot_side_.achievability; }
-  const achievability::Achievability& robot() const { return *robot_side_.achievability; }
+  achievability::Achievability& robot() { return *robot_analysis_.achievability; }
+  const achievability::Achievability& robot() const { return *robot_analysis_.achievability; }
 
   // decision.cpp: from what is known to a question or an outcome
   void decide();
@@ -86,19 +86,19 @@ class Session::Implementation {
 
   // asking.cpp: what is asked, why, and how much more may follow
   void ask(const std::vector<questions::Choice>& choices);
-  void ask(const std::vector<Dialogue::Posed>& posed);
+  void ask(const std::vector<Dialogue::AskedCandidate>& posed);
   QuestionView openQuestion() const;
   Reason reasonFor(std::optional<std::size_t> conflict) const;
-  Reason reasonNow(const Dialogue::Posed& posed, const questions::Situation& now) const;
+  Reason reasonNow(const Dialogue::AskedCandidate& posed, const questions::Situation& now) const;
   std::size_t mostRemaining(const questions::Situation& now) const;
   bool cantBeHadAlone(const achievability::Conflict& conflict) const;
   bool mayPass(const Literal& fluent) const;
 
   // extra_cost.cpp: what keeping things costs that nobody asked for
   bool costsMatter() const;
-  std::vector<Dialogue::Posed> tooCostly(const achievability::CandidateSet& kept,
-                                         const achievability::CandidateSet& open,
-                                         const task::Plan& plan, std::size_t most);
+  std::vector<Dialogue::AskedCandidate> tooCostly(const achievability::CandidateSet& kept,
+                                                  const achievability::CandidateSet& open,
+                                                  const task::Plan& plan, std::size_t most);
   bool askAboutCost(const achievability::CandidateSet& wished, const task::Plan& plan);
   search::Improved cheapened(const achievability::CandidateSet& set, const task::Plan& plan,
                              std::uint64_t states);
@@ -133,7 +133,7 @@ class Session::Implementation {
 
   // Owned through pointers: the ground task and the policy refer to what they were made from.
   std::unique_ptr<alignment::Problem> problem_;
-  alignment::RobotSide robot_side_;
+  alignment::RobotAnalysis robot_analysis_;
   std::unique_ptr<questions::Policy> policy_;
   bool unit_costs_ = true;
   std::vector<double> beliefs_;

@@ -37,13 +37,13 @@ const Outcome& Session::outcome() const {
   return implementation_->outcome();
 }
 
-Receipt Session::answer(const std::vector<Literal>& fluents, AnswerKind kind,
-                        const std::string& answered_by) {
+SubmitResult Session::answer(const std::vector<Literal>& fluents, AnswerKind kind,
+                             const std::string& answered_by) {
   return implementation_->answer(fluents, kind, answered_by, false);
 }
 
-Receipt Session::revise(const std::vector<Literal>& fluents, AnswerKind kind,
-                        const std::string& answered_by) {
+SubmitResult Session::revise(const std::vector<Literal>& fluents, AnswerKind kind,
+                             const std::string& answered_by) {
   return implementation_->answer(fluents, kind, answered_by, true);
 }
 
@@ -64,15 +64,15 @@ Consequence Session::whatIf(const std::vector<Literal>& wanted,
   return implementation_->whatIf(wanted, not_wanted, seconds);
 }
 
-void Session::goOn(const Options& options) {
-  implementation_->goOn(options);
+void Session::resume(const Options& options) {
+  implementation_->resume(options);
 }
 
-void Session::breakOff(OutcomeCode code, const std::string& reason) {
+void Session::abort(OutcomeCode code, const std::string& reason) {
   if (state() != State::Idle) implementation_->finish(code, reason);
 }
 
-void Session::giveUpWaiting(const std::string& reason) {
+void Session::answerTimedOut(const std::string& reason) {
   if (state() == State::AwaitingAnswer) implementation_->finish(OutcomeCode::NoAnswer, reason);
 }
 

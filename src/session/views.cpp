@@ -57,7 +57,7 @@ Snapshot Session::Implementation::snapshot() const {
                                                           : CandidateState::Open;
     view.candidates.push_back(std::move(candidate));
   }
-  if (!robot_side_.achievability) return view;
+  if (!robot_analysis_.achievability) return view;
   view.robot_known = true;
 
   const questions::Situation now = situation();

@@ -2,7 +2,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "goal_alignment/questions/prospect.h"
+#include "goal_alignment/questions/answer_effect.h"
 #include "implementation.h"
 
 /// What would follow from answers that nobody has given.
@@ -45,7 +45,7 @@ Consequence Session::Implementation::whatIf(const std::vector<Literal>& wanted,
   then.knowledge = dialogue_.knowledge();
   suppose(dialogue_, wanted, Knowledge::Wanted, dialogue_.knowledge(), then.knowledge);
   suppose(dialogue_, not_wanted, Knowledge::NotWanted, dialogue_.knowledge(), then.knowledge);
-  if (!robot_side_.achievability) return result;
+  if (!robot_analysis_.achievability) return result;
   if (state_ == State::Done) cancel_.reset();  // one that came after the outcome
 
   Limits own = cancelOnly();

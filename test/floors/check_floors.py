@@ -12,14 +12,14 @@ import sys
 FLOORS = {
     'common': 0,
     'pddl': 1, 'task': 1,
-    'validation': 2, 'grounding': 2, 'heuristics': 2, 'whereabouts': 2,
+    'validation': 2, 'grounding': 2, 'heuristics': 2, 'spatial_facts': 2,
     'search': 3,
     'achievability': 4,
     'alignment': 5,
     'questions': 6,
     'session': 7, 'phrasing': 7,
-    'cli': 8, 'ros_interface': 8, 'rviz_panel': 8,
-    'execution': 9,
+    'cli': 8, 'ros_common': 8, 'any_message': 8,
+    'aligner': 9, 'dialogues': 9, 'execution': 9, 'rviz_panel': 9,
     'nodes': 10,
 }
 CORE_TOP = 7
@@ -29,7 +29,7 @@ CORE_TOP = 7
 ONLY = {
     'validation': {'common', 'pddl'},
     'heuristics': {'common', 'task'},
-    'whereabouts': {'common', 'pddl'},
+    'spatial_facts': {'common', 'pddl'},
     'rviz_panel': set(),
 }
 

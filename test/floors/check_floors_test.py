@@ -35,7 +35,7 @@ class CheckFloors(unittest.TestCase):
         self.expect('search', 'task', None)
         self.expect('grounding', 'pddl', None)
         self.expect('grounding', 'task', None)
-        self.expect('nodes', 'ros_interface', None)
+        self.expect('nodes', 'ros_common', None)
         self.expect('session', 'session', None)
 
     def test_going_up(self):

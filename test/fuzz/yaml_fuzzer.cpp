@@ -7,7 +7,7 @@
 #include "goal_alignment/common/yaml_reader.h"
 #include "goal_alignment/phrasing/phrases.h"
 #include "goal_alignment/phrasing/vocabulary.h"
-#include "goal_alignment/whereabouts/observer.h"
+#include "goal_alignment/spatial_facts/observer.h"
 #include "promise.h"
 #include "targets.h"
 
@@ -38,21 +38,22 @@ void phraseEverything(const phrasing::Phrases& phrases) {
 }
 
 /// Every frame is somewhere, then none is.
-void observeEverything(const std::shared_ptr<const whereabouts::Rules>& rules) {
-  whereabouts::Observer observer(rules);
-  std::vector<whereabouts::Sighting> sightings(rules->pairs().size());
+void observeEverything(const std::shared_ptr<const spatial_facts::Rules>& rules) {
+  spatial_facts::Observer observer(rules);
+  std::vector<spatial_facts::Sighting> sightings(rules->pairs().size());
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     sightings[i].known = true;
     sightings[i].position.x = static_cast<double>(i);
   }
   std::set<GroundName> atoms{GroundName::parse("(p)"), GroundName::parse("(at a b)")};
   for (const bool known : {true, false}) {
-    for (whereabouts::Sighting& sighting : sightings)
+    for (spatial_facts::Sighting& sighting : sightings)
       sighting.known = known;
-    const whereabouts::Observation seen = observer.observe(sightings);
-    promiseReadable(seen.lament());
-    promise(seen.lament().empty() == seen.unknown().empty(), "what is unknown is lamented");
-    for (const whereabouts::Doubt& doubt : seen.doubts) {
+    const spatial_facts::Observation seen = observer.observe(sightings);
+    promiseReadable(seen.unknownFactsMessage());
+    promise(seen.unknownFactsMessage().empty() == seen.unknown().empty(),
+            "what is unknown is lamented");
+    for (const spatial_facts::Doubt& doubt : seen.doubts) {
       for (const GroundName& atom : doubt.atoms)
         promise(seen.holds.count(atom) == 0, "an atom is true or in doubt");
     }
@@ -86,7 +87,7 @@ void readOrRefuse(Read read) {
 void yaml(std::string_view bytes) {
   const std::string text(bytes);
   readOrRefuse([&] { phraseEverything(phrasing::Phrases::fromYaml(text, "x.yaml")); });
-  readOrRefuse([&] { observeEverything(whereabouts::Rules::fromYaml(text, "x.yaml")); });
+  readOrRefuse([&] { observeEverything(spatial_facts::Rules::fromYaml(text, "x.yaml")); });
   readOrRefuse([&] { understandEverything(phrasing::Vocabulary::fromYaml(text, "x.yaml")); });
 }
 

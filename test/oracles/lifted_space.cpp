@@ -244,10 +244,10 @@ RelaxedGrounding groundNaively(const Model& model) {
 }
 
 LiftedSpace::LiftedSpace(const Model& model, std::size_t most_states, bool unit_costs) {
-  const Bits initial = bits(initialAtoms(model));
+  const CandidateMask initial = bits(initialAtoms(model));
   for (const GroundAction& action : allActions(model))
     actions_.push_back(bitAction(action, unit_costs));
-  std::set<std::pair<std::int64_t, Bits>> open = {{0, initial}};
+  std::set<std::pair<std::int64_t, CandidateMask>> open = {{0, initial}};
   while (!open.empty()) {
     const auto [cost, state] = *open.begin();
     open.erase(open.begin());
@@ -256,13 +256,13 @@ LiftedSpace::LiftedSpace(const Model& model, std::size_t most_states, bool unit_
     if (!complete_) return;
     for (const BitAction& action : actions_) {
       if (!applicable(action, state)) continue;
-      const Bits after = successor(action, state);
+      const CandidateMask after = successor(action, state);
       if (cost_.count(after) == 0) open.emplace(cost + action.cost, after);
     }
   }
 }
 
-bool LiftedSpace::holds(const BitFormula& formula, Bits state) {
+bool LiftedSpace::holds(const BitFormula& formula, CandidateMask state) {
   const auto part_holds = [&](const BitFormula& part) { return holds(part, state); };
   const auto& parts = formula.parts;
   if (formula.kind == GroundFormula::Kind::Literal) {
@@ -273,14 +273,14 @@ bool LiftedSpace::holds(const BitFormula& formula, Bits state) {
              : std::any_of(parts.begin(), parts.end(), part_holds);
 }
 
-bool LiftedSpace::applicable(const BitAction& action, Bits state) {
+bool LiftedSpace::applicable(const BitAction& action, CandidateMask state) {
   return (state & action.positive) == action.positive && (state & action.negative) == 0 &&
          holds(action.condition, state);
 }
 
-LiftedSpace::Bits LiftedSpace::successor(const BitAction& action, Bits state) {
-  Bits del = action.del;
-  Bits add = action.add;
+LiftedSpace::CandidateMask LiftedSpace::successor(const BitAction& action, CandidateMask state) {
+  CandidateMask del = action.del;
+  CandidateMask add = action.add;
   for (const BitEffect& effect : action.conditional) {
     if (!holds(effect.condition, state)) continue;
     del |= effect.del;
@@ -289,8 +289,8 @@ LiftedSpace::Bits LiftedSpace::successor(const BitAction& action, Bits state) {
   return (state & ~del) | add;
 }
 
-LiftedSpace::Bits LiftedSpace::bits(const Atoms& atoms) {
-  Bits all = 0;
+LiftedSpace::CandidateMask LiftedSpace::bits(const Atoms& atoms) {
+  CandidateMask all = 0;
   for (const GroundName& atom : atoms)
     all |= bit(atom);
   return all;
@@ -322,11 +322,11 @@ LiftedSpace::BitAction LiftedSpace::bitAction(const GroundAction& action, bool u
   return compiled;
 }
 
-LiftedSpace::Bits LiftedSpace::bit(const GroundName& atom) {
+LiftedSpace::CandidateMask LiftedSpace::bit(const GroundName& atom) {
   const std::size_t next = index_.size();
   const std::size_t index = index_.emplace(atom, next).first->second;
   if (index >= 64) throw std::length_error("too many atoms for the explicit state space");
-  return Bits{1} << index;
+  return CandidateMask{1} << index;
 }
 
 std::vector<Atoms> LiftedSpace::states() const {
@@ -341,13 +341,13 @@ std::vector<Atoms> LiftedSpace::states() const {
   return result;
 }
 
-bool LiftedSpace::holds(const Literal& literal, Bits state) const {
+bool LiftedSpace::holds(const Literal& literal, CandidateMask state) const {
   const auto found = index_.find(literal.atom);
   const bool is_true = found != index_.end() && ((state >> found->second) & 1U) != 0;
   return is_true != literal.negated;
 }
 
-bool LiftedSpace::holds(const std::vector<Literal>& goal, Bits state) const {
+bool LiftedSpace::holds(const std::vector<Literal>& goal, CandidateMask state) const {
   return std::all_of(goal.begin(), goal.end(),
                      [&](const Literal& literal) { return holds(literal, state); });
 }

@@ -82,41 +82,41 @@ class LiftedSpace {
                                       const std::vector<Literal>& fluents) const;
 
  private:
-  using Bits = std::uint64_t;
+  using CandidateMask = std::uint64_t;
   struct BitFormula {
     GroundFormula::Kind kind = GroundFormula::Kind::All;
-    Bits bit = 0;
+    CandidateMask bit = 0;
     bool negated = false;
     std::vector<BitFormula> parts;
   };
   struct BitEffect {
     BitFormula condition;
-    Bits add = 0;
-    Bits del = 0;
+    CandidateMask add = 0;
+    CandidateMask del = 0;
   };
   struct BitAction {
-    Bits positive = 0;
-    Bits negative = 0;
+    CandidateMask positive = 0;
+    CandidateMask negative = 0;
     BitFormula condition;
-    Bits add = 0;
-    Bits del = 0;
+    CandidateMask add = 0;
+    CandidateMask del = 0;
     std::vector<BitEffect> conditional;
     std::int64_t cost = 1;
   };
 
-  static bool holds(const BitFormula& formula, Bits state);
-  static bool applicable(const BitAction& action, Bits state);
-  static Bits successor(const BitAction& action, Bits state);
-  Bits bits(const Atoms& atoms);
+  static bool holds(const BitFormula& formula, CandidateMask state);
+  static bool applicable(const BitAction& action, CandidateMask state);
+  static CandidateMask successor(const BitAction& action, CandidateMask state);
+  CandidateMask bits(const Atoms& atoms);
   BitFormula bitFormula(const GroundFormula& formula);
   BitAction bitAction(const GroundAction& action, bool unit_costs);
-  Bits bit(const GroundName& atom);
-  bool holds(const Literal& literal, Bits state) const;
-  bool holds(const std::vector<Literal>& goal, Bits state) const;
+  CandidateMask bit(const GroundName& atom);
+  bool holds(const Literal& literal, CandidateMask state) const;
+  bool holds(const std::vector<Literal>& goal, CandidateMask state) const;
 
   std::map<GroundName, std::size_t> index_;
   std::vector<BitAction> actions_;
-  std::map<Bits, std::int64_t> cost_;  // by state
+  std::map<CandidateMask, std::int64_t> cost_;  // by state
   bool complete_ = true;
 };
 

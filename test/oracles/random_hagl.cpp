@@ -12,7 +12,7 @@ namespace goal_alignment::oracles {
 
 namespace {
 
-constexpr std::size_t kMostStates = 1500;
+constexpr std::size_t kMaxStates = 1500;
 
 template <typename List>
 void dropSome(RandomSource& random, List& list, double probability) {
@@ -107,7 +107,7 @@ bool knowsAll(const pddl::Model& model, const std::vector<Literal>& literals) {
 /// One try; nothing where the problem came out too large.
 std::optional<Hagl> tryHagl(RandomSource& random, std::size_t most_candidates) {
   ModelSketch robot =
-      chance(random, 0.5) ? carrySketch(random) : randomSmallSketch(random, kMostStates);
+      chance(random, 0.5) ? carrySketch(random) : randomSmallSketch(random, kMaxStates);
   ModelSketch human = humanOf(random, robot);
   if (chance(random, 0.3)) addOwnPredicate(random, human, "humans");
   if (chance(random, 0.2)) addOwnPredicate(random, robot, "robots");
@@ -139,8 +139,8 @@ std::optional<Hagl> tryHagl(RandomSource& random, std::size_t most_candidates) {
   }
   hagl.robot = robot.model();
   hagl.human = human.model();
-  if (!LiftedSpace(hagl.robot, kMostStates).complete()) return std::nullopt;
-  if (!LiftedSpace(hagl.human, kMostStates).complete()) return std::nullopt;
+  if (!LiftedSpace(hagl.robot, kMaxStates).complete()) return std::nullopt;
+  if (!LiftedSpace(hagl.human, kMaxStates).complete()) return std::nullopt;
   hagl.input.robot_domain = {"robot_domain.pddl", robot.domainText()};
   hagl.input.robot_problem = {"robot_problem.pddl", robot.problemText()};
   hagl.input.human_domain = {"human_domain.pddl", human.domainText()};
@@ -152,7 +152,7 @@ std::optional<Hagl> tryHagl(RandomSource& random, std::size_t most_candidates) {
 }  // namespace
 
 void Hagl::analyse() {
-  const LiftedSpace space(robot, kMostStates);
+  const LiftedSpace space(robot, kMaxStates);
   alone_ = space.fluentsWith({}, candidates);
   // Achievability is downward closed: from each achieved set to all with one candidate less.
   achievable_.assign(all() + 1, false);
@@ -209,7 +209,7 @@ std::set<CandidateBits> Hagl::minimalConflicts() const {
 }
 
 std::vector<double> Hagl::costDifferences() const {
-  const LiftedSpace space(human, kMostStates);
+  const LiftedSpace space(human, kMaxStates);
   std::vector<double> differences;
   for (const Literal& fluent : candidates) {
     std::vector<Literal> goal = specified;

@@ -226,7 +226,7 @@ class DocumentedParameters(unittest.TestCase):
             self.assertIn('nobody_reads_this', warning)
 
     def test_every_parameter_that_is_read_is_configured(self):
-        source = text_of('src/ros_interface/node_options.cpp')
+        source = text_of('src/aligner/node_options.cpp')
         read = set(re.findall(r'\.read(?:Choice)?\(\s*"(\w+)"', source))
         self.assertEqual(read, self.configured())
 

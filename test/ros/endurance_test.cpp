@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 constexpr int kGoals = 1000;
 constexpr int kWarmUp = 200;  // until buffers and pools have their size
 constexpr int kCallsPerGoal = 10;
-constexpr long kMostGrowth = 8 * 1024;  // KiB
-constexpr long kMostMore = 10;          // connections that come and go; one lost a goal makes 800
+constexpr long kMaxGrowth = 8 * 1024;  // KiB
+constexpr long kMaxMore = 10;          // connections that come and go; one lost a goal makes 800
 
 struct Footprint {
   long resident = 0;  // KiB
@@ -162,10 +162,10 @@ TEST_F(Endurance, aThousandGoalsAndTenThousandCallsLeaveNoTrace) {
 // A sanitizer keeps books on memory, and freed memory back; AddressSanitizer looks for leaks
 // itself.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  EXPECT_LT(end.resident - warm.resident, kMostGrowth);
+  EXPECT_LT(end.resident - warm.resident, kMaxGrowth);
 #endif
-  EXPECT_LE(end.threads, warm.threads + kMostMore);
-  EXPECT_LE(end.descriptors, warm.descriptors + kMostMore);
+  EXPECT_LE(end.threads, warm.threads + kMaxMore);
+  EXPECT_LE(end.descriptors, warm.descriptors + kMaxMore);
 }
 
 }  // namespace

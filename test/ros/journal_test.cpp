@@ -43,7 +43,7 @@ class JournalScenario : public OwnAligner {
   }
 
   // Leaves the entry of a dialogue behind whose first question is answered.
-  std::pair<Question, Question> breakOff(const AlignGoal& goal) {
+  std::pair<Question, Question> abort(const AlignGoal& goal) {
     const auto questions = answerTheFirst(goal);
     cancelTheGoal();
     return questions;
@@ -122,7 +122,7 @@ TEST_F(JournalScenario, whatWasAcceptedSurvivesACrashAtOnce) {
 }
 
 TEST_F(JournalScenario, aCanceledDialogueThatIsSentAgainAsksNothingTwice) {
-  const auto [first, second] = breakOff(sweepBothRooms());
+  const auto [first, second] = abort(sweepBothRooms());
   EXPECT_EQ(entries(), 1U);
   const Question again = sendAndAwaitQuestion(sweepBothRooms());
   EXPECT_TRUE(areAboutTheSame(again, second));
@@ -135,7 +135,7 @@ TEST_F(JournalScenario, aCanceledDialogueThatIsSentAgainAsksNothingTwice) {
 
 TEST_F(JournalScenario, whatWasAssumedIsNoAnswer) {
   ros::param::set("/goal_alignment/hidden_wanted", std::vector<std::string>{"room"});
-  const auto [first, second] = breakOff(sweepBothRooms());
+  const auto [first, second] = abort(sweepBothRooms());
   ros::param::del("/goal_alignment/hidden_wanted");
   ASSERT_EQ(entries(), 1U);
   const std::string text = textOf(journalFiles(".json").front());
@@ -147,22 +147,22 @@ TEST_F(JournalScenario, whatWasAssumedIsNoAnswer) {
 }
 
 TEST_F(JournalScenario, otherPersonsAndOtherPlansHaveOtherEntries) {
-  const auto [first, second] = breakOff(sweepBothRooms());
+  const auto [first, second] = abort(sweepBothRooms());
   AlignGoal others = sweepBothRooms();
   others.task.person = "Bob";
-  EXPECT_TRUE(areAboutTheSame(breakOff(others).first, first));
+  EXPECT_TRUE(areAboutTheSame(abort(others).first, first));
   EXPECT_EQ(entries(), 2U);
 
   AlignGoal another_way = sweepBothRooms();
   std::reverse(another_way.task.plan.begin(), another_way.task.plan.end());
-  EXPECT_TRUE(areAboutTheSame(breakOff(another_way).first, first));
+  EXPECT_TRUE(areAboutTheSame(abort(another_way).first, first));
   EXPECT_EQ(entries(), 3U);
 
   EXPECT_TRUE(areAboutTheSame(sendAndAwaitQuestion(sweepBothRooms()), second));
 }
 
 TEST_F(JournalScenario, anotherRobotBelowTheSameFolderKnowsNothingOfIt) {
-  const auto [first, second] = breakOff(sweepBothRooms());
+  const auto [first, second] = abort(sweepBothRooms());
   Program other(NODE_FOLDER "/goal_alignment_node", {"__ns:=/other"}, {{"ROS_HOME", home_.path()}},
                 home_.path() + "/other");
   AlignClient client(node_, "/other/goal_alignment/align");
@@ -203,7 +203,7 @@ TEST_F(JournalScenario, aDialogueThatNobodyIsSureOfAsksAboutThatAloneOnceMore) {
 
 TEST_F(JournalScenario, anEntryOlderThanJournalExpiryIsDeletedAndAYoungerOneUsed) {
   ros::param::set("/goal_alignment/journal_expiry", 3600.0);
-  const auto [first, second] = breakOff(sweepBothRooms());
+  const auto [first, second] = abort(sweepBothRooms());
   ASSERT_EQ(entries(), 1U);
   const fs::path entry = journalFiles(".json").front();
   const auto minutesAgo = [](int minutes) {
@@ -236,7 +236,7 @@ TEST_F(JournalScenario, forgetDropsTheEntryAndNothingIsWrittenAfterwards) {
 }
 
 TEST_F(JournalScenario, aDamagedEntryIsSetAsideAndTheDialogueBeginsAnew) {
-  const auto [first, second] = breakOff(sweepBothRooms());
+  const auto [first, second] = abort(sweepBothRooms());
   ASSERT_EQ(entries(), 1U);
   const fs::path entry = journalFiles(".json").front();
   const std::string text = textOf(entry);
@@ -256,14 +256,14 @@ TEST_F(JournalScenario, aDamagedEntryIsSetAsideAndTheDialogueBeginsAnew) {
     cancelTheGoal();
   }
   // What was set aside is in nobody's way.
-  breakOff(sweepBothRooms());
+  abort(sweepBothRooms());
   EXPECT_TRUE(areAboutTheSame(sendAndAwaitQuestion(sweepBothRooms()), second));
 }
 
 TEST_F(JournalScenario, aFolderThatCannotBeWrittenHarmsNothing) {
   fs::create_directories(fs::path(journalFolder()).parent_path());
   writeText(journalFolder(), "no folder");
-  const auto [first, second] = breakOff(sweepBothRooms());
+  const auto [first, second] = abort(sweepBothRooms());
   EXPECT_TRUE(wasWarned("the answers can't be written to the journal"));
   const auto [first_again, second_again] = answerTheFirst(sweepBothRooms());
   EXPECT_TRUE(areAboutTheSame(first_again, first));
@@ -275,7 +275,7 @@ TEST_F(JournalScenario, aFolderThatCannotBeWrittenHarmsNothing) {
 
 TEST_F(JournalScenario, withJournalExpiryZeroNothingIsKept) {
   ros::param::set("/goal_alignment/journal_expiry", 0.0);
-  const auto [first, second] = breakOff(sweepBothRooms());
+  const auto [first, second] = abort(sweepBothRooms());
   EXPECT_FALSE(fs::exists(journalFolder()));
   EXPECT_TRUE(areAboutTheSame(sendAndAwaitQuestion(sweepBothRooms()), first));
 }

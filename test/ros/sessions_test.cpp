@@ -50,7 +50,7 @@ class Sessions : public Scenario {
   }
 
   // Sends the goal that goes on with a session.
-  void goOn(const AlignResult& before, const std::function<void(AlignGoal&)>& change = {}) {
+  void resume(const AlignResult& before, const std::function<void(AlignGoal&)>& change = {}) {
     AlignGoal goal;
     goal.continue_session = before.session_id;
     goal.max_questions = -1;
@@ -93,7 +93,7 @@ class Sessions : public Scenario {
     });
     ASSERT_TRUE(shown);
     EXPECT_EQ(shown->alternatives, before.alternatives);
-    goOn(before, [&](AlignGoal& next) {
+    resume(before, [&](AlignGoal& next) {
       next.unsure_policy = AlignGoal::KEEP;
       next.revised_not_wanted = chosen.given_up;
     });
@@ -118,14 +118,14 @@ class Sessions : public Scenario {
 TEST_F(Sessions, goOnAfterSuccess) {
   reply(begin(sweepHall()), kNo);
   const AlignResult before = expectEnd(AlignResult::SUCCESS);
-  goOn(before);
+  resume(before);
   const AlignResult same = expectEnd(AlignResult::SUCCESS);
   expectSameSession(before, same);
   EXPECT_EQ(same.questions, 0U);
   EXPECT_EQ(same.plan.steps.size(), before.plan.steps.size());
   EXPECT_GT(same.plan.plan_id, before.plan.plan_id);
 
-  goOn(before, [](AlignGoal& goal) { goal.revised_wanted = {fluent("quiet", {"hall"})}; });
+  resume(before, [](AlignGoal& goal) { goal.revised_wanted = {fluent("quiet", {"hall"})}; });
   const AlignResult other = expectEnd(AlignResult::EXPECTATION_UNACHIEVABLE);
   expectSameSession(before, other);
   EXPECT_EQ(textsOf(other.conflict), Texts{"(quiet hall)"});
@@ -148,7 +148,7 @@ TEST_F(Sessions, goOnAfterNoPlanWithAnAlternative) {
   const auto given_up = before.alternatives[1].given_up;
   ASSERT_EQ(given_up.size(), 1U);
 
-  goOn(before, [&](AlignGoal& goal) { goal.revised_not_wanted = given_up; });
+  resume(before, [&](AlignGoal& goal) { goal.revised_not_wanted = given_up; });
   const AlignResult after = expectEnd(AlignResult::SUCCESS);
   expectSameSession(before, after);
   EXPECT_EQ(after.questions, 0U);
@@ -161,7 +161,7 @@ TEST_F(Sessions, goOnAfterACancel) {
   const Question open = ask();
   cancelKnownGoal(align_);
   const AlignResult before = expectEnd(AlignResult::CANCELED);
-  goOn(before);
+  resume(before);
   const Question again = askAgain();
   EXPECT_EQ(textsOf(again.fluents), textsOf(open.fluents));
   EXPECT_EQ(again.session_id, before.session_id);
@@ -179,11 +179,11 @@ TEST_F(Sessions, goOnAfterSilence) {
   AlignResult before = expectEnd(AlignResult::CANCELED);
   {
     const Parameter timeout("ask_timeout", 0.2);
-    goOn(before);
+    resume(before);
     EXPECT_EQ(textsOf(askAgain().fluents), textsOf(open.fluents));
     before = expectEnd(AlignResult::NO_ANSWER);
   }
-  goOn(before);
+  resume(before);
   const Question again = askAgain();
   EXPECT_EQ(textsOf(again.fluents), textsOf(open.fluents));
   EXPECT_TRUE(again.expires.isZero()) << "the parameter is read anew";
@@ -196,7 +196,7 @@ TEST_F(Sessions, goOnAfterDecline) {
   const Question open = ask();
   reply(open, kDecline);
   const AlignResult before = expectEnd(AlignResult::DECLINED);
-  goOn(before);
+  resume(before);
   const Question again = askAgain();
   EXPECT_EQ(textsOf(again.fluents), textsOf(open.fluents));
   reply(again, kNo);
@@ -209,13 +209,13 @@ TEST_F(Sessions, goOnAfterTheQuestionLimitWithALargerOne) {
   reply(begin(goal), kNo);
   AlignResult before = expectEnd(AlignResult::QUESTION_LIMIT);
   EXPECT_EQ(before.questions, 1U);
-  goOn(before, [](AlignGoal& next) { next.max_questions = 2; });
+  resume(before, [](AlignGoal& next) { next.max_questions = 2; });
   reply(ask(), kNo);
   reply(ask(), kNo);
   AlignResult after = expectEnd(AlignResult::QUESTION_LIMIT);
   expectSameSession(before, after);
   EXPECT_EQ(after.questions, 2U);
-  goOn(before);
+  resume(before);
   reply(ask(), kNo);
   after = expectEnd(AlignResult::SUCCESS);
   expectSameSession(before, after);
@@ -243,7 +243,7 @@ TEST_F(Sessions, goOnAfterTheTimeLimit) {
   align_.sendGoal(goal);
   const AlignResult before = expectEnd(AlignResult::TIME_LIMIT);
   EXPECT_EQ(before.questions, 0U);
-  goOn(before);
+  resume(before);
   const auto question = questions_.waitFor(
       [&](const Question& shown) { return shown.session_id == before.session_id; });
   ASSERT_TRUE(question);
@@ -251,7 +251,7 @@ TEST_F(Sessions, goOnAfterTheTimeLimit) {
   const AlignResult after = expectEnd(AlignResult::SUCCESS);
   EXPECT_EQ(after.session_id, before.session_id);
   EXPECT_EQ(after.questions, 1U);
-  goOn(after);
+  resume(after);
   const AlignResult again = expectEnd(AlignResult::SUCCESS);
   expectSameSession(after, again);
   EXPECT_EQ(again.questions, 0U);
@@ -261,7 +261,7 @@ TEST_F(Sessions, refuseAFluentThatIsWantedAndNotAndStayAsTheyAre) {
   reply(begin(sweepHall()), kNo);
   const AlignResult before = expectEnd(AlignResult::SUCCESS);
   const AlignmentState state = currentState();
-  goOn(before, [](AlignGoal& goal) {
+  resume(before, [](AlignGoal& goal) {
     goal.revised_wanted = {fluent("room", {"hall"}), fluent("quiet", {"hall"})};
     goal.revised_not_wanted = {fluent("Quiet", {"HALL"})};
   });
@@ -270,7 +270,7 @@ TEST_F(Sessions, refuseAFluentThatIsWantedAndNotAndStayAsTheyAre) {
   EXPECT_NE(refused.message.find("(quiet hall)"), std::string::npos) << refused.message;
   EXPECT_TRUE(currentState() == state) << "not even its state was published anew";
 
-  goOn(before);
+  resume(before);
   const AlignResult after = expectEnd(AlignResult::SUCCESS);
   expectSameSession(before, after);
   EXPECT_EQ(stateOf(after, "(room hall)"), stateOf(before, "(room hall)"));
@@ -280,11 +280,11 @@ TEST_F(Sessions, refuseToReviseWhatIsNoCandidate) {
   reply(begin(sweepHall()), kNo);
   const AlignResult before = expectEnd(AlignResult::SUCCESS);
   for (const Fluent& foreign : {fluent("clean", {"hall"}), fluent("quiet", {"cellar"})}) {
-    goOn(before, [&](AlignGoal& goal) { goal.revised_not_wanted = {foreign}; });
+    resume(before, [&](AlignGoal& goal) { goal.revised_not_wanted = {foreign}; });
     const AlignResult refused = expectEnd(AlignResult::INVALID_MODEL);
     EXPECT_NE(refused.message.find("revised_not_wanted"), std::string::npos) << refused.message;
   }
-  goOn(before);
+  resume(before);
   expectSameSession(before, expectEnd(AlignResult::SUCCESS));
 }
 
@@ -403,7 +403,7 @@ TEST_F(Sessions, seeFactsThatCameBetweenTheirGoals) {
   const AlignResult before = expectEnd(AlignResult::SUCCESS);
   EXPECT_EQ(before.plan.steps.size(), 2U);
   EXPECT_TRUE(setFacts({fluent("free", {"spare"})}).accepted);
-  goOn(before);
+  resume(before);
   const AlignResult richer = expectEnd(AlignResult::SUCCESS);
   expectSameSession(before, richer);
   EXPECT_EQ(richer.questions, 0U);
@@ -411,7 +411,7 @@ TEST_F(Sessions, seeFactsThatCameBetweenTheirGoals) {
   // One chair is left for the guest asked for, none for the third, of whom nobody was asked yet.
   EXPECT_TRUE(
       setFacts({negated(fluent("free", {"c0"})), negated(fluent("free", {"spare"}))}).accepted);
-  goOn(before);
+  resume(before);
   reply(ask(), kNo);
   const AlignResult poorer = expectEnd(AlignResult::SUCCESS);
   expectSameSession(before, poorer);
@@ -440,7 +440,7 @@ TEST_F(Sessions, goOnWhereUnsureBlocked) {
   const AlignResult before = expectEnd(AlignResult::UNSURE_BLOCKS);
   EXPECT_EQ(before.conflict.size(), 2U);
   EXPECT_EQ(before.questions, 2U);
-  goOn(before, [&](AlignGoal& next) { next.revised_not_wanted = first.fluents; });
+  resume(before, [&](AlignGoal& next) { next.revised_not_wanted = first.fluents; });
   const AlignResult after = expectEnd(AlignResult::SUCCESS);
   expectSameSession(before, after);
   EXPECT_EQ(after.questions, 0U);
@@ -505,7 +505,7 @@ TEST_F(Sessions, keepTheirUnsurePolicyOrTakeAnother) {
   reply(begin(goal), kDecline);
   AlignResult before = expectEnd(AlignResult::DECLINED);
   const auto keep = [](AlignGoal& next) { next.unsure_policy = AlignGoal::KEEP; };
-  goOn(before, keep);
+  resume(before, keep);
   for (int i = 0; i < 4; ++i)
     reply(askAgain(), kUnsure);
   before = expectEnd(AlignResult::UNSURE_BLOCKS);
@@ -513,11 +513,11 @@ TEST_F(Sessions, keepTheirUnsurePolicyOrTakeAnother) {
 
   reply(begin(goal), kDecline);
   before = expectEnd(AlignResult::DECLINED);
-  goOn(before, [](AlignGoal& next) { next.unsure_policy = AlignGoal::ABORT; });
+  resume(before, [](AlignGoal& next) { next.unsure_policy = AlignGoal::ABORT; });
   reply(askAgain(), kUnsure);
   before = expectEnd(AlignResult::UNSURE_BLOCKS);
   EXPECT_EQ(before.questions, 1U);
-  goOn(before, keep);  // now it is ABORT that is kept
+  resume(before, keep);  // now it is ABORT that is kept
   reply(askAgain(), kUnsure);
   EXPECT_EQ(expectEnd(AlignResult::UNSURE_BLOCKS).questions, 1U);
 }

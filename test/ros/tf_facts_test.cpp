@@ -86,7 +86,7 @@ class TfFacts : public Scenario {
     return expectEnd(outcome);
   }
 
-  AlignResult goOn(const AlignResult& before, int outcome) {
+  AlignResult resume(const AlignResult& before, int outcome) {
     AlignGoal goal;
     goal.continue_session = before.session_id;
     goal.max_questions = -1;
@@ -140,7 +140,7 @@ TEST_F(TfFacts, areLookedAtAnewWhenASessionGoesOn) {
   EXPECT_EQ(before.plan.steps.size(), 1U);
   frames_.place(robot_, kKitchen);
   EXPECT_TRUE(eventually([] { return isSo("(at robot kitchen)"); }));
-  const AlignResult after = goOn(before, AlignResult::SUCCESS);
+  const AlignResult after = resume(before, AlignResult::SUCCESS);
   EXPECT_EQ(after.session_id, before.session_id);
   EXPECT_EQ(after.plan.steps.size(), 2U);
   EXPECT_EQ(after.questions, 0U);
@@ -171,7 +171,7 @@ TEST_F(TfFacts, endAGoalWithTheFrameThatIsMissing) {
 
   patience_.emplace("tf_patience", kPatience);
   frames_.place(robot_, kHall);
-  goOn(result, AlignResult::SUCCESS);
+  resume(result, AlignResult::SUCCESS);
 }
 
 TEST_F(TfFacts, endAGoalWithTheAgeOfWhatIsOld) {
@@ -337,10 +337,10 @@ TEST_F(TfFacts, ofRulesThatAreBrokenRefuseTheTaskAndNoOther) {
   EXPECT_EQ(good.plan.steps.size(), 2U);
 
   follow(rulesFor(robot_, "  - {fact: (at ghost hall), when: robot in hall}\n"));
-  refused = goOn(good, AlignResult::INVALID_MODEL);
+  refused = resume(good, AlignResult::INVALID_MODEL);
   EXPECT_EQ(align_.getState(), actionlib::SimpleClientGoalState::REJECTED);
   follow(rulesFor(robot_));
-  EXPECT_EQ(goOn(good, AlignResult::SUCCESS).plan.steps.size(), 2U);
+  EXPECT_EQ(resume(good, AlignResult::SUCCESS).plan.steps.size(), 2U);
 }
 
 TEST_F(TfFacts, areForgottenWithTheirRules) {
@@ -348,7 +348,7 @@ TEST_F(TfFacts, areForgottenWithTheirRules) {
   const AlignResult before = align(sweepTheHall(), AlignResult::SUCCESS);
   EXPECT_EQ(before.plan.steps.size(), 2U);
   const Parameter none("tf_facts", std::string());
-  EXPECT_EQ(goOn(before, AlignResult::SUCCESS).plan.steps.size(), 1U) << "as the file says";
+  EXPECT_EQ(resume(before, AlignResult::SUCCESS).plan.steps.size(), 1U) << "as the file says";
   EXPECT_TRUE(isSo("(at robot hall)"));
 }
 

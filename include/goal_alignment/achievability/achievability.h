@@ -152,12 +152,12 @@ class Achievability {
   bool knowsReachable() const { return symbolic_ != nullptr; }
   Check search(const CandidateSet& set, const Limits& limits);
   Check checkReachable(const CandidateSet& set, const Limits& limits);
-  Check narrow(const CandidateSet& set, Check last, const Limits& limits);
-  bool staysOpen(const CandidateSet& set, const Limits& limits);
+  Check refineUnknown(const CandidateSet& set, Check last, const Limits& limits);
+  bool remainsUndecided(const CandidateSet& set, const Limits& limits);
   std::optional<Check> learnFrom(const CandidateSet& set, const search::Result& result,
                                  const Limits& limits);
   std::optional<Check> searchParts(const CandidateSet& set, const Limits& limits);
-  bool takeConflicts(const Limits& limits);
+  bool importConflicts(const Limits& limits);
   Verdict learnAlone(std::size_t candidate, const search::Result& result);
   void addUnachievable(const CandidateSet& set, const Limits& limits);
   bool provenUnachievable(const CandidateSet& set, std::uint64_t& states, const Limits& limits);

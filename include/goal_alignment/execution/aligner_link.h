@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "goal_alignment/AlignResult.h"
+#include "goal_alignment/any_message/action_client.h"
+#include "goal_alignment/any_message/service_caller.h"
+#include "goal_alignment/any_message/wait_point.h"
 #include "goal_alignment/common/ground_name.h"
-#include "goal_alignment/execution/action_client.h"
-#include "goal_alignment/execution/robot_watch.h"
-#include "goal_alignment/execution/service_caller.h"
-#include "goal_alignment/execution/wait_point.h"
+#include "goal_alignment/execution/precondition_monitor.h"
 
 namespace goal_alignment::execution {
 
@@ -26,8 +26,8 @@ class AlignerLink {
     WorldState world;  ///< both lists sorted
   };
 
-  AlignerLink(ros::NodeHandle node, const std::string& aligner, ServiceCaller& services,
-              WaitPoint& wait);
+  AlignerLink(ros::NodeHandle node, const std::string& aligner,
+              any_message::ServiceCaller& services, any_message::WaitPoint& wait);
 
   Facts facts();
 
@@ -39,13 +39,13 @@ class AlignerLink {
   std::string life() const;
 
   /// A new plan under the session's answers; people may be asked. Nothing: `why_not` says why.
-  std::optional<AlignResult> planAnew(const std::string& session_id, double cancel_patience,
-                                      std::string& why_not);
+  std::optional<AlignResult> replan(const std::string& session_id, double cancel_patience,
+                                    std::string& why_not);
 
   /// The parameter of the aligner; "" where it has none.
   std::string parameter(const std::string& key) const;
 
-  /// Whether planAnew() sent the goal of that id.
+  /// Whether replan() sent the goal of that id.
   static bool isOwnGoal(const std::string& goal_id);
 
  private:
@@ -53,13 +53,13 @@ class AlignerLink {
   template <typename Service>
   std::optional<typename Service::Response> ask(const std::string& name,
                                                 const typename Service::Request& request,
-                                                ServiceCaller::Reply::Kind& kind);
+                                                any_message::ServiceCaller::Reply::Kind& kind);
 
   ros::NodeHandle node_;
   std::string aligner_;
-  ServiceCaller& services_;
-  WaitPoint& wait_;
-  ActionClient align_;
+  any_message::ServiceCaller& services_;
+  any_message::WaitPoint& wait_;
+  any_message::ActionClient align_;
   unsigned goals_sent_ = 0;
   bool hangs_ = false;  // it did not answer in time, and is not waited for as long again
 };

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <string>
 
-#include "goal_alignment/execution/wait_point.h"
+#include "goal_alignment/any_message/wait_point.h"
 
 namespace goal_alignment::execution {
 
@@ -24,7 +24,7 @@ class DispatchListeners {
  private:
   struct Links {
     int count = 0;
-    Clock::time_point last_cut;
+    any_message::Clock::time_point last_cut;
   };
 
   mutable std::mutex mutex_;  // guards the one below

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "goal_alignment/execution/time_limit.h"
+#include "goal_alignment/any_message/time_limit.h"
 
 namespace goal_alignment::execution {
 
@@ -23,7 +23,8 @@ struct ExecutorOptions {
   double facts_patience = 2;  ///< seconds, 0 … 3600, for which a condition may be false or unknown
   int max_replans = 3;        ///< 0 … 1000 for a goal
   double cancel_patience = 5;  ///< seconds, 0 … 3600, that a cancelled step may take to stop
-  ClockKind clock = ClockKind::Wall;  ///< of time-outs and durations of steps
+  any_message::ClockKind clock =
+      any_message::ClockKind::Wall;  ///< of time-outs and durations of steps
   double diagnostic_period = 1;  ///< seconds of wall time, 0.01 … 3600; read at the start alone
   double servers_patience = 3;  ///< seconds, 0 … 3600, for which all that steps need may be missing
 
@@ -36,7 +37,7 @@ struct ExecutorOptions {
 
   std::vector<std::string> unknown;  ///< private parameters that nobody reads
 
-  /// Both throw ros_interface::ParameterError, which names key and namespace.
+  /// Both throw ros_common::ParameterError, which names key and namespace.
   static ExecutorOptions read(const ros::NodeHandle& private_node);
   static ExecutorOptions read(const XmlRpc::XmlRpcValue& values, const std::string& ns);
 

@@ -7,7 +7,7 @@
 
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/execution/aligner_link.h"
-#include "goal_alignment/execution/robot_watch.h"
+#include "goal_alignment/execution/precondition_monitor.h"
 
 namespace goal_alignment::execution {
 

@@ -10,11 +10,11 @@
 
 #include "goal_alignment/ActionDispatch.h"
 #include "goal_alignment/Plan.h"
+#include "goal_alignment/any_message/wait_point.h"
 #include "goal_alignment/execution/aligner_link.h"
 #include "goal_alignment/execution/executor_options.h"
 #include "goal_alignment/execution/facts_ledger.h"
-#include "goal_alignment/execution/robot_watch.h"
-#include "goal_alignment/execution/wait_point.h"
+#include "goal_alignment/execution/precondition_monitor.h"
 
 namespace goal_alignment::execution {
 
@@ -40,7 +40,7 @@ class FactsWatch {
     std::string reason;  ///< one sentence
   };
 
-  FactsWatch(AlignerLink& aligner, FactsLedger& ledger, WaitPoint& wait,
+  FactsWatch(AlignerLink& aligner, FactsLedger& ledger, any_message::WaitPoint& wait,
              const ExecutorOptions& options)
       : aligner_(aligner), ledger_(ledger), wait_(wait), options_(options) {}
 
@@ -62,32 +62,33 @@ class FactsWatch {
   std::string whyNoNewPlan();
 
  private:
-  using Judge = std::function<RobotWatch::Finding(const WorldState&)>;
+  using Judge = std::function<PreconditionMonitor::Finding(const WorldState&)>;
 
   /// What a step has changed, as long as tf may still come to see it.
   struct Claim {
     bool holds = false;
     std::string step;
-    Clock::time_point since;
+    any_message::Clock::time_point since;
   };
 
   void giveUp(const std::string& why);
   void goBlind(const std::string& why);
   std::optional<WorldState> world();
   std::string whyLost() const;
-  RobotWatch::Finding judgeRest(const std::vector<GroundName>& steps,
-                                const std::vector<Literal>& wanted, const WorldState& world);
+  PreconditionMonitor::Finding judgeRest(const std::vector<GroundName>& steps,
+                                         const std::vector<Literal>& wanted,
+                                         const WorldState& world);
   Look await(const Judge& judge, std::size_t first_step, std::size_t steps);
   bool claimsAreSettled(const WorldState& world);
   void contradict(const GroundName& atom, const Claim& claim) const;
 
   AlignerLink& aligner_;
   FactsLedger& ledger_;
-  WaitPoint& wait_;
+  any_message::WaitPoint& wait_;
   const ExecutorOptions& options_;
-  std::optional<RobotWatch> watch_;  // nothing: the plan just runs
-  std::string unwatched_;            // why
-  std::string blind_;                // why facts can't be had just now; "": they can
+  std::optional<PreconditionMonitor> watch_;  // nothing: the plan just runs
+  std::string unwatched_;                     // why
+  std::string blind_;                         // why facts can't be had just now; "": they can
   std::string session_;
   std::string other_session_;      // that the aligner was at last, where it was not ours; "": none
   bool session_is_lost_ = false;   // the aligner is at another one

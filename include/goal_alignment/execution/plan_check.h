@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "goal_alignment/Plan.h"
+#include "goal_alignment/any_message/message_definition.h"
 #include "goal_alignment/common/ground_name.h"
-#include "goal_alignment/execution/message_definition.h"
 #include "goal_alignment/execution/step_mapping.h"
 
 /// What can be said of a plan before any of its steps begins.
@@ -16,7 +16,8 @@ namespace goal_alignment::execution {
 std::string faultOf(const Plan& plan);
 
 /// Why the steps of the plan can't be carried out with this mapping; empty: they can.
-std::string mappingFault(const Plan& plan, const StepMapping& mapping, MessageTypes& types);
+std::string mappingFault(const Plan& plan, const StepMapping& mapping,
+                         any_message::MessageTypes& types);
 
 /// What the robot knows when the step has failed. Throws YamlError.
 std::vector<Literal> failureFacts(const ActionDispatch& step, const StepRule& rule,

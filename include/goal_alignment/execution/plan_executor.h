@@ -12,18 +12,18 @@
 #include <thread>
 
 #include "goal_alignment/ExecutePlanAction.h"
+#include "goal_alignment/any_message/message_definition.h"
+#include "goal_alignment/any_message/service_caller.h"
+#include "goal_alignment/any_message/wait_point.h"
 #include "goal_alignment/execution/aligner_link.h"
 #include "goal_alignment/execution/dispatch_listeners.h"
 #include "goal_alignment/execution/executor_diagnostics.h"
 #include "goal_alignment/execution/executor_options.h"
 #include "goal_alignment/execution/facts_ledger.h"
-#include "goal_alignment/execution/message_definition.h"
 #include "goal_alignment/execution/plan_run.h"
-#include "goal_alignment/execution/service_caller.h"
 #include "goal_alignment/execution/step_mapping.h"
 #include "goal_alignment/execution/steps.h"
-#include "goal_alignment/execution/wait_point.h"
-#include "goal_alignment/ros_interface/action_server.h"
+#include "goal_alignment/ros_common/action_server.h"
 
 namespace goal_alignment::execution {
 
@@ -47,7 +47,7 @@ class PlanExecutor {
   void endGoals();
 
  private:
-  using Server = ros_interface::ActionServer<ExecutePlanAction>;
+  using Server = ros_common::ActionServer<ExecutePlanAction>;
   using Goal = Server::GoalHandle;
 
   void takeGoal(Goal goal);
@@ -71,11 +71,11 @@ class PlanExecutor {
   DispatchListeners listeners_;
   ros::Publisher dispatches_;
   ros::Publisher feedback_;
-  WaitPoint wait_;
+  any_message::WaitPoint wait_;
 
   // Of the worker thread alone, once it runs.
-  MessageTypes types_{installedDefinition};
-  ServiceCaller services_;
+  any_message::MessageTypes types_{any_message::installedDefinition};
+  any_message::ServiceCaller services_;
   AlignerLink aligner_;
   FactsLedger ledger_{aligner_};
   ActionSteps action_steps_;
@@ -84,7 +84,7 @@ class PlanExecutor {
   SimulatedSteps simulated_steps_;
   std::set<std::string> warned_about_;
   StepMapping first_mapping_;  // of the start, until its servers were looked for
-  Clock::time_point look_for_servers_ = Clock::time_point::max();
+  any_message::Clock::time_point look_for_servers_ = any_message::Clock::time_point::max();
   ExecutorDiagnostics diagnostics_;
 
   std::mutex mutex_;  // guards all below

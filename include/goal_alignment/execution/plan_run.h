@@ -19,14 +19,14 @@ namespace goal_alignment::execution {
 
 /// What runs plans are made of; outlives every run.
 struct RunParts {
-  MessageTypes& types;
+  any_message::MessageTypes& types;
   StepRunner& action;
   StepRunner& service;
   StepRunner& dispatch;
   StepRunner& simulated;
   AlignerLink& aligner;
   FactsLedger& ledger;
-  WaitPoint& wait;
+  any_message::WaitPoint& wait;
   ros::Publisher dispatches;
   ros::Publisher feedback;
   std::function<void(const std::string&)> warn_once;              ///< for people
@@ -55,7 +55,7 @@ class PlanRun {
 
  private:
   // What stops a plan; SUCCESS: nothing.
-  struct Trouble {
+  struct PlanFailure {
     std::uint16_t outcome = ExecutePlanResult::SUCCESS;
     int step = -1;
     std::string reason;
@@ -63,27 +63,27 @@ class PlanRun {
   };
 
   ExecutePlanResult runOn();
-  Trouble walk();
-  Trouble awaitServers();
+  PlanFailure walk();
+  PlanFailure awaitServers();
   bool isAvoidable(const StepRule& rule, const std::string& server);
-  Trouble beforeStep(std::size_t index);
-  Trouble atTheEnd();
-  Trouble carryOut(const ActionDispatch& step);
+  PlanFailure beforeStep(std::size_t index);
+  PlanFailure atTheEnd();
+  PlanFailure carryOut(const ActionDispatch& step);
   StepEnd tryOnce(const ActionDispatch& step, const StepRule& rule, int retries_left);
-  Trouble treatFailure(const ActionDispatch& step, const StepRule& rule, const StepEnd& end);
+  PlanFailure treatFailure(const ActionDispatch& step, const StepRule& rule, const StepEnd& end);
   // Empty: there is a new plan.
-  std::string planAnew(const Trouble& trouble);
+  std::string replan(const PlanFailure& trouble);
   void dispatch(const ActionDispatch& step, const StepRule& rule);
   void report(const ActionDispatch& step, int status, bool on_topic);
   void tell(int step, int status, const std::string& message = "", const Plan& new_plan = {});
   StepRunner& runnerOf(StepKind kind) const;
-  ExecutePlanResult resultOf(const Trouble& trouble) const;
+  ExecutePlanResult resultOf(const PlanFailure& trouble) const;
 
   RunParts parts_;
   const StepMapping& mapping_;
   const ExecutorOptions& options_;
   Tell tell_;
-  Clock::time_point begin_ = Clock::now();
+  any_message::Clock::time_point begin_ = any_message::Clock::now();
   Plan plan_;
   FactsWatch facts_;
   std::map<std::string, int> failures_;  // by ground action

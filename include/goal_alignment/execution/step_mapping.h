@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "goal_alignment/any_message/arguments.h"
+#include "goal_alignment/any_message/message_definition.h"
 #include "goal_alignment/common/ground_name.h"
-#include "goal_alignment/execution/arguments.h"
-#include "goal_alignment/execution/message_definition.h"
 
 namespace goal_alignment::execution {
 
@@ -38,8 +38,8 @@ struct StepRule {
   YAML::Node key;     ///< the action, as the file names it; of `default` null
   YAML::Node name;    ///< of the action's server or the service; text with braces
   YAML::Node fields;  ///< of the goal or the request
-  std::optional<ActionDefinition> action;    ///< of StepKind::Action
-  std::optional<ServiceDefinition> service;  ///< of StepKind::Service
+  std::optional<any_message::ActionDefinition> action;    ///< of StepKind::Action
+  std::optional<any_message::ServiceDefinition> service;  ///< of StepKind::Service
   /// Fields of the result or the response, and what each must be for the step to have succeeded.
   std::vector<std::pair<std::string, YAML::Node>> success;
 
@@ -76,7 +76,8 @@ struct StepMapping {
   /// Throws YamlError at the first fault. `default_kind`, if given, is that of every action of
   /// which nothing else is said. An empty text is an empty mapping.
   static StepMapping fromYaml(const std::string& text, const std::string& source,
-                              MessageTypes& types, std::optional<StepKind> default_kind);
+                              any_message::MessageTypes& types,
+                              std::optional<StepKind> default_kind);
 };
 
 }  // namespace goal_alignment::execution

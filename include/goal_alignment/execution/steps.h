@@ -15,14 +15,14 @@
 
 #include "goal_alignment/ActionDispatch.h"
 #include "goal_alignment/ActionFeedback.h"
+#include "goal_alignment/any_message/action_client.h"
+#include "goal_alignment/any_message/service_caller.h"
+#include "goal_alignment/any_message/wait_point.h"
 #include "goal_alignment/common/random_source.h"
-#include "goal_alignment/execution/action_client.h"
 #include "goal_alignment/execution/dispatch_listeners.h"
 #include "goal_alignment/execution/executor_options.h"
-#include "goal_alignment/execution/frame_stage.h"
-#include "goal_alignment/execution/service_caller.h"
+#include "goal_alignment/execution/simulated_frames.h"
 #include "goal_alignment/execution/step_mapping.h"
-#include "goal_alignment/execution/wait_point.h"
 
 namespace goal_alignment::execution {
 
@@ -38,10 +38,10 @@ struct StepEnd {
 struct StepTry {
   const ActionDispatch& step;
   const StepRule& rule;
-  const Arguments& arguments;
-  MessageTypes& types;
+  const any_message::Arguments& arguments;
+  any_message::MessageTypes& types;
   const ExecutorOptions& options;
-  TimeLimit end;                      ///< of the try's time
+  any_message::TimeLimit end;         ///< of the try's time
   bool is_to_fail = false;            ///< simulated: the parameter failing_step says so
   std::function<void()> dispatch;     ///< publishes the step
   std::function<void(int)> progress;  ///< tells who sent the plan a status of ActionFeedback
@@ -55,11 +55,11 @@ class StepRunner {
   virtual StepEnd run(const StepTry& attempt) = 0;
 
   /// Begins to link up with who carries such a step out.
-  virtual void approach(const StepRule& /*rule*/, const Arguments& /*arguments*/) {}
+  virtual void approach(const StepRule& /*rule*/, const any_message::Arguments& /*arguments*/) {}
   /// Waits until who carries it out is there, after approach(); else, for people, who is missing.
   /// An interrupt ends the wait, whatever is said then.
-  virtual std::string missing(const StepRule& /*rule*/, const Arguments& /*arguments*/,
-                              Clock::time_point /*until*/) {
+  virtual std::string missing(const StepRule& /*rule*/, const any_message::Arguments& /*arguments*/,
+                              any_message::Clock::time_point /*until*/) {
     return "";
   }
 };
@@ -67,41 +67,43 @@ class StepRunner {
 /// StepKind::Action.
 class ActionSteps : public StepRunner {
  public:
-  ActionSteps(ros::NodeHandle node, WaitPoint& wait) : node_(std::move(node)), wait_(wait) {}
+  ActionSteps(ros::NodeHandle node, any_message::WaitPoint& wait)
+      : node_(std::move(node)), wait_(wait) {}
   StepEnd run(const StepTry& attempt) override;
-  void approach(const StepRule& rule, const Arguments& arguments) override;
-  std::string missing(const StepRule& rule, const Arguments& arguments,
-                      Clock::time_point until) override;
+  void approach(const StepRule& rule, const any_message::Arguments& arguments) override;
+  std::string missing(const StepRule& rule, const any_message::Arguments& arguments,
+                      any_message::Clock::time_point until) override;
 
  private:
-  ActionClient& clientOf(const std::string& name, const ActionDefinition& type);
+  any_message::ActionClient& clientOf(const std::string& name,
+                                      const any_message::ActionDefinition& type);
 
   ros::NodeHandle node_;
-  WaitPoint& wait_;
+  any_message::WaitPoint& wait_;
   // By resolved name; kept, since connecting takes time.
-  std::map<std::string, std::unique_ptr<ActionClient>> clients_;
+  std::map<std::string, std::unique_ptr<any_message::ActionClient>> clients_;
 };
 
 /// StepKind::Service.
 class ServiceSteps : public StepRunner {
  public:
-  explicit ServiceSteps(ServiceCaller& services) : services_(services) {}
+  explicit ServiceSteps(any_message::ServiceCaller& services) : services_(services) {}
   StepEnd run(const StepTry& attempt) override;
-  std::string missing(const StepRule& rule, const Arguments& arguments,
-                      Clock::time_point until) override;
+  std::string missing(const StepRule& rule, const any_message::Arguments& arguments,
+                      any_message::Clock::time_point until) override;
 
  private:
-  ServiceCaller& services_;
+  any_message::ServiceCaller& services_;
 };
 
 /// StepKind::Dispatch: others hear the dispatched step and answer on action_feedback.
 class DispatchedSteps : public StepRunner {
  public:
   DispatchedSteps(ros::NodeHandle node, ros::Publisher dispatches, DispatchListeners& listeners,
-                  WaitPoint& wait);
+                  any_message::WaitPoint& wait);
   StepEnd run(const StepTry& attempt) override;
-  std::string missing(const StepRule& rule, const Arguments& arguments,
-                      Clock::time_point until) override;
+  std::string missing(const StepRule& rule, const any_message::Arguments& arguments,
+                      any_message::Clock::time_point until) override;
 
  private:
   void hear(const ros::MessageEvent<const ActionFeedback>& event);
@@ -109,7 +111,7 @@ class DispatchedSteps : public StepRunner {
   bool isAbout(const ActionFeedback& feedback, const std::string& from);
   bool mayBeLate(const ActionFeedback& feedback) const;
   void expect(const ActionDispatch* step);
-  StepEnd await(const StepTry& attempt, const TimeLimit& patience);
+  StepEnd await(const StepTry& attempt, const any_message::TimeLimit& patience);
   StepEnd withdraw(const StepTry& attempt, StepEnd end);
   std::optional<ActionFeedback> heard() const;
   bool isOrphaned() const;
@@ -118,7 +120,7 @@ class DispatchedSteps : public StepRunner {
 
   ros::Publisher dispatches_;
   DispatchListeners& listeners_;
-  WaitPoint& wait_;
+  any_message::WaitPoint& wait_;
   mutable std::mutex mutex_;  // guards all below
   const ActionDispatch* expected_ = nullptr;
   std::optional<ActionFeedback> last_;  // about the expected one
@@ -133,7 +135,7 @@ class DispatchedSteps : public StepRunner {
 /// StepKind::Simulated: time passes and frames move. Broadcasts all frames, also between plans.
 class SimulatedSteps : public StepRunner {
  public:
-  SimulatedSteps(const ros::NodeHandle& node, WaitPoint& wait);
+  SimulatedSteps(const ros::NodeHandle& node, any_message::WaitPoint& wait);
   StepEnd run(const StepTry& attempt) override;
 
   /// A run of plans begins: the same seed, the same failures.
@@ -141,13 +143,13 @@ class SimulatedSteps : public StepRunner {
 
  private:
   bool fails(const StepTry& attempt);
-  std::vector<FrameStage::Motion> motionsOf(const StepTry& attempt) const;
+  std::vector<SimulatedFrames::Motion> motionsOf(const StepTry& attempt) const;
   void broadcast();
 
-  WaitPoint& wait_;
+  any_message::WaitPoint& wait_;
   RandomSource random_{0};
   std::map<GroundName, int> failures_;  // how many more tries fail
-  FrameStage stage_;
+  SimulatedFrames stage_;
   std::mutex mutex_;  // guards the two below
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Time last_stamp_;

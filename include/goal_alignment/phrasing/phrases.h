@@ -11,7 +11,7 @@
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/phrasing/frames.h"
 #include "goal_alignment/phrasing/template_text.h"
-#include "goal_alignment/questions/prospect.h"
+#include "goal_alignment/questions/answer_effect.h"
 #include "goal_alignment/questions/reason.h"
 #include "goal_alignment/validation/execution.h"
 
@@ -81,8 +81,9 @@ class Phrases {
   /// Why a question is asked and where the answers lead: the reasons, each once and few of them,
   /// then "If not, I can do all the rest.", "If it does, I have to leave something else out."
   /// `provisional`: there may be conflicts that nobody knows yet.
-  std::string why(const std::vector<questions::Reason>& reasons, const questions::Prospect& if_yes,
-                  const questions::Prospect& if_no, bool provisional) const;
+  std::string why(const std::vector<questions::Reason>& reasons,
+                  const questions::AnswerEffect& if_yes, const questions::AnswerEffect& if_no,
+                  bool provisional) const;
 
   /// What can be had instead: "I can do everything except: …. Or everything except: ….", in the
   /// order given.

@@ -28,7 +28,7 @@ struct Situation {
   /// How many of its candidates nobody has answered yet.
   std::size_t openMembers(const achievability::Conflict& conflict) const;
   /// The open candidates in live conflicts: no other answer decides anything.
-  achievability::CandidateSet mattering() const;
+  achievability::CandidateSet relevantCandidates() const;
 };
 
 /// The live conflict with the candidate in it that has the fewest open candidates, proven ones
@@ -56,7 +56,7 @@ class Policy {
 
 /// What a policy is made from. The functions are called when a policy needs what they give, for
 /// they may search.
-struct Setting {
+struct PolicyContext {
   std::vector<bool> is_static;  ///< by candidate
   bool ask_static = true;       ///< whether policies without conflicts ask about those
   std::uint64_t seed = 0;       ///< breaks ties
@@ -67,7 +67,7 @@ struct Setting {
 };
 
 /// Throws std::invalid_argument that names the policies there are.
-std::unique_ptr<Policy> makePolicy(const std::string& name, Setting setting);
+std::unique_ptr<Policy> makePolicy(const std::string& name, PolicyContext setting);
 
 /// The names makePolicy() knows, in the order of the documentation.
 std::vector<std::string> policyNames();

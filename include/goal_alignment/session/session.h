@@ -12,7 +12,7 @@
 #include "goal_alignment/common/limits.h"
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/pddl/source_position.h"
-#include "goal_alignment/questions/prospect.h"
+#include "goal_alignment/questions/answer_effect.h"
 #include "goal_alignment/questions/reason.h"
 #include "goal_alignment/session/options.h"
 #include "goal_alignment/session/outcome.h"
@@ -24,7 +24,7 @@
 ///     Idle ──begin()──▶ Analysing ──step()──▶ AwaitingAnswer | Done
 ///                           ▲                     │
 ///                           └──── answer() ───────┘
-///     Done ──revise(), answer(), setRobotState(), goOn()──▶ Analysing    (nothing is asked again)
+///     Done ──revise(), answer(), setRobotState(), resume()──▶ Analysing    (nothing is asked again)
 ///
 /// A worked example, compiled by test/unit/session/session_test.cpp:
 ///
@@ -67,7 +67,7 @@ struct Input {
 enum class AnswerKind : std::int8_t { No = 0, Yes = 1, Unsure = 2, Decline = 3 };
 
 /// What became of an answer. Refused answers change nothing; message says why.
-struct Receipt {
+struct SubmitResult {
   bool accepted = false;
   std::string message;
 };
@@ -116,8 +116,8 @@ struct QuestionView {
   std::size_t max_remaining = 0;      ///< at most so many more, this one included
   bool bound_is_provisional = false;  ///< conflicts are not complete: the bound may still change,
                                       ///< and so may the prospects
-  questions::Prospect if_yes;         ///< what follows if all of `fluents` not answered yet matter
-  questions::Prospect if_no;          ///< and if none of those does
+  questions::AnswerEffect if_yes;     ///< what follows if all of `fluents` not answered yet matter
+  questions::AnswerEffect if_no;      ///< and if none of those does
   bool at_end = false;                ///< one of them may be so for a while and then no more
 };
 
@@ -202,12 +202,12 @@ class Session {
   /// Answering part of an open question's fluents leaves the question open for the others, and so
   /// does an answer to something else, as long as the question still matters: then its bound,
   /// prospects and reasons are those after the answer. Decline ends the dialogue.
-  Receipt answer(const std::vector<Literal>& fluents, AnswerKind kind,
-                 const std::string& answered_by);
+  SubmitResult answer(const std::vector<Literal>& fluents, AnswerKind kind,
+                      const std::string& answered_by);
 
   /// Replaces earlier answers; from Done the session goes on.
-  Receipt revise(const std::vector<Literal>& fluents, AnswerKind kind,
-                 const std::string& answered_by);
+  SubmitResult revise(const std::vector<Literal>& fluents, AnswerKind kind,
+                      const std::string& answered_by);
 
   /// The robot's state is now this: S^H and the answers stay, the robot's side is analysed anew.
   /// `atoms` are all atoms that are true. Throws pddl::SemanticError naming an atom that the
@@ -234,14 +234,14 @@ class Session {
   /// world outside (70, 73), the work is taken up again where it was left; a definite outcome
   /// stays. After 55 other answers, another robot state or more memory can lead further; more time
   /// alone can't. Throws std::invalid_argument like the constructor.
-  void goOn(const Options& options);
+  void resume(const Options& options);
 
   /// Something outside makes it senseless to go on: Done with this outcome, whatever was before;
   /// the answers stay. Before begin() nothing happens.
-  void breakOff(OutcomeCode code, const std::string& reason);
+  void abort(OutcomeCode code, const std::string& reason);
 
   /// Nobody answered the open question in time: Done with NoAnswer. The answers given stay.
-  void giveUpWaiting(const std::string& reason);
+  void answerTimedOut(const std::string& reason);
 
   /// Ends the work in progress as soon as possible; the session then is Done with Canceled.
   /// Thread-safe. Takes effect also when it comes before begin()'s first step().

@@ -169,9 +169,9 @@ TEST(SubsetMap, EndsWhereItsBlocksTakeMoreThanTheLimit) {
   EXPECT_GE(map.bytes(), kCandidates * (kCandidates - 1) * sizeof(int));
   Limits limits;
   limits.bytes = map.bytes() - 1;
-  const auto narrow = map.maximal(1, limits);
-  EXPECT_EQ(narrow.limit, LimitReason::Memory);
-  EXPECT_TRUE(narrow.sets.empty());
+  const auto refineUnknown = map.maximal(1, limits);
+  EXPECT_EQ(refineUnknown.limit, LimitReason::Memory);
+  EXPECT_TRUE(refineUnknown.sets.empty());
   limits.bytes = 2 * map.bytes();
   EXPECT_EQ(map.maximal(1, limits).sets.size(), 1U);
 }

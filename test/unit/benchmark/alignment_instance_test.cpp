@@ -35,9 +35,9 @@ void expectSound(const AlignmentInstance& instance) {
           .empty());
 }
 
-std::vector<Family> solvableFamilies() {
-  std::vector<Family> result;
-  for (const Family& family : families()) {
+std::vector<MonotoneDnf> solvableFamilies() {
+  std::vector<MonotoneDnf> result;
+  for (const MonotoneDnf& family : families()) {
     if (family.solvable && !family.formulas) result.push_back(family);
   }
   return result;
@@ -45,7 +45,7 @@ std::vector<Family> solvableFamilies() {
 
 class Alignments : public testing::TestWithParam<std::string> {
  protected:
-  static AlignmentInstance drawn(const Family& family, const std::string& differences,
+  static AlignmentInstance drawn(const MonotoneDnf& family, const std::string& differences,
                                  const Truth& truth, std::uint64_t seed) {
     RandomSource random(seed);
     return alignmentOf(family.make(4, random), misreadingOf(differences), truth, random);
@@ -53,7 +53,7 @@ class Alignments : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(Alignments, areSoundUnderEachTruth) {
-  for (const Family& family : solvableFamilies()) {
+  for (const MonotoneDnf& family : solvableFamilies()) {
     for (const double wanted : {-1.0, 0.2, 0.5}) {
       SCOPED_TRACE(family.name);
       Truth truth;
@@ -64,7 +64,7 @@ TEST_P(Alignments, areSoundUnderEachTruth) {
 }
 
 TEST_P(Alignments, followFromTheSeedAlone) {
-  for (const Family& family : solvableFamilies()) {
+  for (const MonotoneDnf& family : solvableFamilies()) {
     const AlignmentInstance one = drawn(family, GetParam(), {}, 3);
     const AlignmentInstance other = drawn(family, GetParam(), {}, 3);
     EXPECT_EQ(one.input().human_domain.text, other.input().human_domain.text);
@@ -77,7 +77,7 @@ TEST_P(Alignments, followFromTheSeedAlone) {
 TEST_P(Alignments, differInWhatTheyNameAlone) {
   const std::string differences = GetParam();
   const auto has = [&](char letter) { return differences.find(letter) != std::string::npos; };
-  for (const Family& family : solvableFamilies()) {
+  for (const MonotoneDnf& family : solvableFamilies()) {
     const session::Input input = drawn(family, differences, {}, 5).input();
     EXPECT_EQ(input.robot_domain.text != input.human_domain.text, has('a') || has('v'));
     const bool has_statics = family.name != "crates";

@@ -12,7 +12,7 @@ namespace {
 
 using search::Status;
 
-Models made(const Family& family, int size, std::uint64_t seed) {
+Models made(const MonotoneDnf& family, int size, std::uint64_t seed) {
   RandomSource random(seed);
   return family.make(size, random);
 }
@@ -28,7 +28,7 @@ Status statusOf(const Models& models) {
       .result.status;
 }
 
-class Families : public testing::TestWithParam<Family> {};
+class Families : public testing::TestWithParam<MonotoneDnf> {};
 
 TEST_P(Families, areReadAtEverySize) {
   for (const int size : GetParam().sizes)
@@ -44,7 +44,7 @@ TEST_P(Families, haveAPlanOrNoneAsTheySay) {
 }
 
 RC_GTEST_PROP(FamilyTexts, followFromTheSeedAlone, ()) {
-  const Family family = *rc::gen::elementOf(families());
+  const MonotoneDnf family = *rc::gen::elementOf(families());
   const int size = *rc::gen::inRange(2, 12);
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const Models models = made(family, size, seed);

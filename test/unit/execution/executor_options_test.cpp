@@ -20,7 +20,7 @@ TEST(ExecutorOptions, haveDefaults) {
   EXPECT_TRUE(options.watch);
   EXPECT_FALSE(options.auto_execute);
   EXPECT_EQ(options.max_replans, 3);
-  EXPECT_EQ(options.clock, ClockKind::Wall);
+  EXPECT_EQ(options.clock, any_message::ClockKind::Wall);
 }
 
 TEST(ExecutorOptions, nameTheKeyThatIsWrong) {

@@ -23,7 +23,7 @@ class Misfits : public testing::Test {
     return misfits(StepMapping::fromYaml(yaml, "m.yaml", types_, kind), robot_);
   }
 
-  MessageTypes types_ = typesOf({{"robot/action/Go", "string to\n---\n---\n"}});
+  any_message::MessageTypes types_ = typesOf({{"robot/action/Go", "string to\n---\n---\n"}});
   pddl::Model robot_ = pddl::readModel({"d", kDomain}, {"p", kProblem});
 };
 

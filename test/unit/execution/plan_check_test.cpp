@@ -36,7 +36,7 @@ TEST(FaultOf, saysWhatIsWrong) {
 }
 
 TEST(MappingFault, namesTheNearestName) {
-  MessageTypes types = test::typesOf({});
+  any_message::MessageTypes types = test::typesOf({});
   const StepMapping mapping = StepMapping::fromYaml(R"yaml(
 tables: {pose: {Kitchen: [0, 0, 0]}}
 actions:

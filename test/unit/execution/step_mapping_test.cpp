@@ -5,7 +5,7 @@
 
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/pddl/source_position.h"
-#include "goal_alignment/ros_interface/package_files.h"
+#include "goal_alignment/ros_common/package_files.h"
 #include "samples.h"
 
 namespace goal_alignment::execution::test {
@@ -20,7 +20,7 @@ class Mapping : public testing::Test {
     return faultOfCall([&] { read(yaml); });
   }
 
-  MessageTypes types_ =
+  any_message::MessageTypes types_ =
       typesOf({{"robot/action/Go", "string to\n---\nbool done\nint32 code\n---\n"},
                {"robot/srv/Open", "string door\n---\nbool success\n"}});
 };
@@ -108,21 +108,20 @@ TEST_F(Mapping, saysWhereItsFaultIs) {
 }
 
 TEST(ExampleMapping, isReadWithTheTypesThatItNames) {
-  MessageTypes types(installedDefinition);
-  const pddl::Source file = pddl::readFile(ros_interface::resolveFile("config/execution.yaml"));
+  any_message::MessageTypes types(any_message::installedDefinition);
+  const pddl::Source file = pddl::readFile(ros_common::resolveFile("config/execution.yaml"));
   const StepMapping mapping = StepMapping::fromYaml(file.text, file.name, types, std::nullopt);
   ASSERT_NE(mapping.find("go"), nullptr);
   EXPECT_EQ(mapping.find("go")->kind, StepKind::Action);
 }
 
 TEST(ExampleMapping, ofTheTutorialSaysHowEachActionIsCarriedOut) {
-  MessageTypes types(installedDefinition);
+  any_message::MessageTypes types(any_message::installedDefinition);
   const std::string ward = "config/domains/ward/";
   const pddl::Model robot =
-      pddl::readModel(pddl::readFile(ros_interface::resolveFile(ward + "robot_domain.pddl")),
-                      pddl::readFile(ros_interface::resolveFile(ward + "robot_problem.pddl")));
-  const pddl::Source file =
-      pddl::readFile(ros_interface::resolveFile(ward + "robot_execution.yaml"));
+      pddl::readModel(pddl::readFile(ros_common::resolveFile(ward + "robot_domain.pddl")),
+                      pddl::readFile(ros_common::resolveFile(ward + "robot_problem.pddl")));
+  const pddl::Source file = pddl::readFile(ros_common::resolveFile(ward + "robot_execution.yaml"));
   const StepMapping mapping = StepMapping::fromYaml(file.text, file.name, types, std::nullopt);
   for (const pddl::Schema& schema : robot.schemas)
     EXPECT_NE(mapping.find(schema.name.name), nullptr) << schema.name.name;

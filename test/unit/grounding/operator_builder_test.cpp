@@ -21,7 +21,7 @@ using oracles::Atoms;
 using oracles::Facts;
 using oracles::GroundAction;
 
-constexpr std::size_t kMostStates = 200;
+constexpr std::size_t kMaxStates = 200;
 
 std::vector<Literal> someNegations(RandomSource& random, const oracles::ModelSketch& sketch) {
   std::vector<Literal> literals;
@@ -66,13 +66,13 @@ Steps groundedSteps(const task::Task& task, const Facts& facts) {
 
 RC_GTEST_PROP(OperatorBuilder, EveryStateHasTheStepsOfTheLiftedModel, ()) {
   RandomSource random = oracles::anySource();
-  const oracles::ModelSketch sketch = oracles::randomSmallAdlSketch(random, kMostStates);
+  const oracles::ModelSketch sketch = oracles::randomSmallAdlSketch(random, kMaxStates);
   const pddl::Model model = sketch.model();
   RC_LOG() << sketch.domainText() << sketch.problemText();
   const GroundTask ground = grounding::ground(model, someNegations(random, sketch), {}, {});
   RC_ASSERT(oracles::initialFacts(ground.task) == told(ground.task, oracles::initialAtoms(model)));
   const std::vector<GroundAction> actions = oracles::allActions(model);
-  for (const Atoms& atoms : oracles::LiftedSpace(model, kMostStates).states()) {
+  for (const Atoms& atoms : oracles::LiftedSpace(model, kMaxStates).states()) {
     RC_ASSERT(groundedSteps(ground.task, told(ground.task, atoms)) ==
               liftedSteps(ground.task, actions, atoms));
   }
@@ -80,14 +80,14 @@ RC_GTEST_PROP(OperatorBuilder, EveryStateHasTheStepsOfTheLiftedModel, ()) {
 
 RC_GTEST_PROP(OperatorBuilder, TheGoalHoldsInTheSameStates, ()) {
   RandomSource random = oracles::anySource();
-  const oracles::ModelSketch sketch = oracles::randomSmallAdlSketch(random, kMostStates);
+  const oracles::ModelSketch sketch = oracles::randomSmallAdlSketch(random, kMaxStates);
   const pddl::Model model = sketch.model();
   RC_LOG() << sketch.domainText() << sketch.problemText();
   const std::vector<Literal> literals = model.goalLiterals();
   const GroundTask ground = grounding::ground(model, literals, {}, {});
   const task::Goal goal = ground.goal(literals);
   const oracles::GroundFormula condition = oracles::goalCondition(model);
-  for (const Atoms& atoms : oracles::LiftedSpace(model, kMostStates).states()) {
+  for (const Atoms& atoms : oracles::LiftedSpace(model, kMaxStates).states()) {
     const bool expected = oracles::holds(literals, atoms) && oracles::holds(condition, atoms);
     RC_ASSERT(oracles::holds(goal, told(ground.task, atoms)) == expected);
   }
@@ -122,7 +122,7 @@ TEST(OperatorBuilder, AnAtomAddedUnderAConditionKeepsItsComplementRight) {
       "(:init (p)) (:goal (not (p)))");
   const GroundTask ground = grounding::ground(model, model.goalLiterals(), {}, {});
   const std::vector<GroundAction> actions = oracles::allActions(model);
-  for (const Atoms& atoms : oracles::LiftedSpace(model, kMostStates).states()) {
+  for (const Atoms& atoms : oracles::LiftedSpace(model, kMaxStates).states()) {
     EXPECT_EQ(groundedSteps(ground.task, told(ground.task, atoms)),
               liftedSteps(ground.task, actions, atoms));
   }

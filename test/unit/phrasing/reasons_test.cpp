@@ -10,9 +10,9 @@
 namespace goal_alignment::phrasing {
 namespace {
 
-using questions::Prospect;
+using questions::AnswerEffect;
 using questions::Reason;
-using Ending = Prospect::Ending;
+using Ending = AnswerEffect::Ending;
 
 Literal literal(const std::string& text) {
   return Literal::parse(text);

@@ -13,8 +13,8 @@ using samples::askedAll;
 using samples::conflict;
 using samples::fresh;
 
-Setting setting(bool ask_static) {
-  Setting setting;
+PolicyContext setting(bool ask_static) {
+  PolicyContext setting;
   setting.is_static = {false, true, false, true};
   setting.ask_static = ask_static;
   return setting;

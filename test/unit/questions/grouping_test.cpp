@@ -136,7 +136,7 @@ TEST(Grouping, EndsInOneRoundWhereTheGroupHoldsAllThatMatters) {
 }
 
 TEST(Grouping, PoliciesWithoutConflictsOfferWhatComesNext) {
-  Setting setting;
+  PolicyContext setting;
   setting.is_static = {false, true, false, false};
   setting.ask_static = false;
   const auto policy = makePolicy("ask-all", setting);

@@ -81,7 +81,7 @@ RC_GTEST_PROP(OptimalPolicy, AsksAsFewAsTheBestDialogueAmongLikes, ()) {
 RC_GTEST_PROP(OptimalPolicy, WithoutWorkItGuessesWell, ()) {
   RandomSource random = oracles::anySource();
   const Situation situation = samples::anyFamily(random, 8, 12);
-  OptimalPolicy policy(Setting{}, random.below(500));
+  OptimalPolicy policy(PolicyContext{}, random.below(500));
   const double least = oracles::BestDialogue(situation).cost(situation.knowledge);
   const double found = expectedQuestions(policy, situation);
   RC_ASSERT(found >= least - 1e-9);
@@ -93,14 +93,14 @@ TEST(OptimalPolicy, AStarOfSixtyArmsIsNoWork) {
   Situation situation = fresh(61, {});
   for (std::size_t arm = 1; arm <= 60; ++arm)
     situation.conflicts.push_back(conflict(61, 1 | std::uint64_t{1} << arm));
-  OptimalPolicy policy(Setting{}, 10'000);
+  OptimalPolicy policy(PolicyContext{}, 10'000);
   EXPECT_EQ(policy.next(situation)->candidate, 0U);
 }
 
 TEST(OptimalPolicy, ManyLoneConflictsAreNoWork) {
   RandomSource random(1);
   Situation situation = benchmarks::conflictFamily("disjoint", 60, 0, 0.1, 0.9, random);
-  OptimalPolicy policy(Setting{}, 0);
+  OptimalPolicy policy(PolicyContext{}, 0);
   EXPECT_NEAR(situation.probability[policy.next(situation)->candidate],
               situation.probability[policyOf("ratio")->next(situation)->candidate], 1e-9);
 }
@@ -116,7 +116,7 @@ TEST(OptimalPolicy, RemembersFromOneDecisionToTheNext) {
   RandomSource random(1);
   Situation situation = benchmarks::conflictFamily("triples", 12, 14, 0.05, 0.3, random);
   std::uint64_t polls = 0;
-  Setting setting;
+  PolicyContext setting;
   setting.poll = [&] { ++polls; };
   OptimalPolicy policy(setting);
   const auto first = policy.next(situation);
@@ -130,7 +130,7 @@ TEST(OptimalPolicy, RemembersFromOneDecisionToTheNext) {
 TEST(OptimalPolicy, EndsWhenItsPollThrows) {
   RandomSource random(1);
   const Situation situation = benchmarks::conflictFamily("triples", 30, 200, 0.05, 0.3, random);
-  Setting setting;
+  PolicyContext setting;
   int polls = 0;
   setting.poll = [&] {
     if (++polls == 10) throw std::runtime_error("cancelled");

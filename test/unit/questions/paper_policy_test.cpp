@@ -56,8 +56,8 @@ Drawn draw(RandomSource& random) {
   return drawn;
 }
 
-Setting settingOf(const Drawn& drawn, std::uint64_t seed) {
-  Setting setting;
+PolicyContext contextOf(const Drawn& drawn, std::uint64_t seed) {
+  PolicyContext setting;
   setting.is_static.assign(drawn.belief.size(), false);
   setting.seed = seed;
   setting.paper_beliefs = [drawn] { return drawn.belief; };
@@ -78,7 +78,7 @@ RC_GTEST_PROP(ValueOfQuery, EqualsThePrintedFormula, ()) {
 RC_GTEST_PROP(PaperPolicy, AsksEverythingOnceByFallingValue, ()) {
   RandomSource random = oracles::anySource();
   const Drawn drawn = draw(random);
-  PaperPolicy policy(settingOf(drawn, random.below(100)));
+  PaperPolicy policy(contextOf(drawn, random.below(100)));
   const std::vector<std::size_t> asked =
       askedAll(policy, fresh(drawn.belief.size(), {}), Knowledge::Wanted);
   RC_ASSERT(std::set<std::size_t>(asked.begin(), asked.end()).size() == drawn.belief.size());
@@ -93,8 +93,8 @@ TEST(PaperPolicy, BreaksTiesUniformlyByTheSeed) {
   const Drawn drawn = {{0.5, 0.2, 0.3}, {false, false, false}};
   std::set<std::vector<std::size_t>> orders;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    PaperPolicy policy(settingOf(drawn, seed));
-    PaperPolicy again(settingOf(drawn, seed));
+    PaperPolicy policy(contextOf(drawn, seed));
+    PaperPolicy again(contextOf(drawn, seed));
     const auto asked = askedAll(policy, fresh(3, {}), Knowledge::Wanted);
     EXPECT_EQ(askedAll(again, fresh(3, {}), Knowledge::Wanted), asked);
     orders.insert(asked);
@@ -107,7 +107,7 @@ TEST(PaperPolicy, ValuesThatDifferByRoundingAloneAreTies) {
   const Drawn drawn = {{0.1 + 0.2, 0.3, 0.5}, {true, true, false}};
   std::set<std::size_t> first;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    PaperPolicy policy(settingOf(drawn, seed));
+    PaperPolicy policy(contextOf(drawn, seed));
     first.insert(policy.next(fresh(3, {}))->candidate);
   }
   EXPECT_EQ(first, (std::set<std::size_t>{0, 1}));
@@ -115,7 +115,7 @@ TEST(PaperPolicy, ValuesThatDifferByRoundingAloneAreTies) {
 
 TEST(PaperPolicy, AsksStaticFluentsUnlessToldNotTo) {
   const Drawn drawn = {{0.5, 0.5, 0.5}, {false, true, false}};
-  Setting setting = settingOf(drawn, 1);
+  PolicyContext setting = contextOf(drawn, 1);
   setting.is_static = {true, false, true};
   PaperPolicy with(setting);
   EXPECT_EQ(askedAll(with, fresh(3, {}), Knowledge::Wanted).size(), 3U);
@@ -125,7 +125,7 @@ TEST(PaperPolicy, AsksStaticFluentsUnlessToldNotTo) {
 }
 
 TEST(PaperPolicy, NeedsNoBeliefsWhereTheyCannotMatter) {
-  Setting setting = settingOf({{0.5, 0.5}, {false, false}}, 0);
+  PolicyContext setting = contextOf({{0.5, 0.5}, {false, false}}, 0);
   setting.paper_beliefs = []() -> std::vector<double> {
     ADD_FAILURE() << "with an empty F̂ every value is 1";
     return {0.5, 0.5};
@@ -135,7 +135,7 @@ TEST(PaperPolicy, NeedsNoBeliefsWhereTheyCannotMatter) {
 }
 
 TEST(PaperPolicy, SkipsWhatWasVolunteeredAndNamesALiveConflict) {
-  PaperPolicy policy(settingOf({{0.5, 0.5, 0.5}, {true, false, false}}, 0));
+  PaperPolicy policy(contextOf({{0.5, 0.5, 0.5}, {true, false, false}}, 0));
   Situation situation = fresh(3, {conflict(3, 0b011)});
   EXPECT_EQ(policy.next(situation)->candidate, 0U);
   EXPECT_EQ(policy.next(situation)->conflict, 0U);
@@ -147,7 +147,7 @@ TEST(PaperPolicy, SkipsWhatWasVolunteeredAndNamesALiveConflict) {
 
 // "Don't know" may become open once more (unsure policy `defer`): the policy asks it again.
 TEST(PaperPolicy, AsksAgainWhatBecomesOpenAgain) {
-  PaperPolicy policy(settingOf({{0.5, 0.5}, {true, false}}, 0));
+  PaperPolicy policy(contextOf({{0.5, 0.5}, {true, false}}, 0));
   Situation situation = fresh(2, {});
   situation.knowledge[0] = Knowledge::Unsure;
   EXPECT_EQ(policy.next(situation)->candidate, 1U);

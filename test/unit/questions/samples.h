@@ -65,7 +65,7 @@ inline Situation anyFamily(RandomSource& random, std::size_t most_candidates,
 }
 
 inline std::unique_ptr<Policy> policyOf(const std::string& name, std::uint64_t seed = 0) {
-  Setting setting;
+  PolicyContext setting;
   setting.seed = seed;
   return makePolicy(name, setting);
 }

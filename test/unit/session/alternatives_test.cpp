@@ -65,8 +65,8 @@ void giveUp(Session& session, const std::vector<Literal>& given_up) {
   for (const Literal& fluent : given_up) {
     const CandidateState state = session.snapshot().candidateOf(fluent)->state;
     const bool answered = state == CandidateState::Wanted || state == CandidateState::Unsure;
-    const Receipt receipt = answered ? session.revise({fluent}, AnswerKind::No, "person")
-                                     : session.answer({fluent}, AnswerKind::No, "person");
+    const SubmitResult receipt = answered ? session.revise({fluent}, AnswerKind::No, "person")
+                                          : session.answer({fluent}, AnswerKind::No, "person");
     EXPECT_TRUE(receipt.accepted) << receipt.message;
   }
 }
@@ -77,7 +77,7 @@ void requireThatOneCanBeTakenUp(RandomSource& random, const Hagl& hagl, Session&
   const std::vector<Literal>& chosen = alternatives[random.below(alternatives.size())].given_up;
   const CandidateBits kept =
       hagl.all() & ~inState(hagl, session, CandidateState::NotWanted) & ~hagl.bits(chosen);
-  session.goOn({});
+  session.resume({});
   giveUp(session, chosen);
   RC_ASSERT(think(session) == State::Done);
   RC_ASSERT(code(session) == 1);
@@ -123,11 +123,11 @@ RC_GTEST_PROP(SessionAlternatives, SoDoTheLimitOfQuestionsAndADecline, ()) {
 TEST(SessionAlternatives, WhatIsKnownIsOfferedWhenTheTimeIsUp) {
   for (const ConflictMode mode : {ConflictMode::Full, ConflictMode::Lazy}) {
     Session session = atFirstQuestion(options("auto", mode));
-    session.giveUpWaiting("nobody is there");
+    session.answerTimedOut("nobody is there");
     EXPECT_TRUE(session.outcome().alternatives.empty()) << "nobody is there to choose";
     Options no_time;
     no_time.time_limit = 1e-9;
-    session.goOn(no_time);
+    session.resume(no_time);
     if (think(session) == State::AwaitingAnswer)  // that much was known already
       session.answer(session.question()->fluents, AnswerKind::No, "me");
     ASSERT_EQ(think(session), State::Done);
@@ -135,7 +135,7 @@ TEST(SessionAlternatives, WhatIsKnownIsOfferedWhenTheTimeIsUp) {
     ASSERT_FALSE(session.outcome().alternatives.empty());
     const std::vector<Literal> given_up = session.outcome().alternatives.front().given_up;
     EXPECT_FALSE(given_up.empty());
-    session.goOn({});
+    session.resume({});
     giveUp(session, given_up);
     EXPECT_EQ(think(session), State::Done);
     EXPECT_EQ(code(session), 1);

@@ -25,7 +25,7 @@ using samples::options;
 using samples::think;
 
 /// The candidates in conflicts that these answers leave live, but for those answered.
-CandidateBits mattering(const Hagl& hagl, CandidateBits yes, CandidateBits no) {
+CandidateBits relevantCandidates(const Hagl& hagl, CandidateBits yes, CandidateBits no) {
   CandidateBits result = 0;
   for (const CandidateBits conflict : hagl.minimalConflicts()) {
     if ((conflict & no) == 0) result |= conflict;
@@ -43,14 +43,14 @@ std::size_t count(CandidateBits set) {
 /// Bound, reasons and prospects are those that enumeration gives for the answers so far.
 void requireFresh(const Hagl& hagl, const QuestionView& question, CandidateBits yes,
                   CandidateBits no) {
-  using Ending = questions::Prospect::Ending;
+  using Ending = questions::AnswerEffect::Ending;
   const CandidateBits asked = hagl.bits(question.fluents);
-  const CandidateBits now = mattering(hagl, yes, no);
+  const CandidateBits now = relevantCandidates(hagl, yes, no);
   RC_ASSERT(question.max_remaining == count(now));
   const CandidateBits reason = hagl.bits(question.reasons.front().conflict);
   RC_ASSERT(hagl.minimalConflicts().count(reason) > 0);
   RC_ASSERT((reason & asked) == asked && (reason & no) == 0);
-  const CandidateBits then = mattering(hagl, yes, no | asked);
+  const CandidateBits then = relevantCandidates(hagl, yes, no | asked);
   RC_ASSERT((question.if_no.ending == Ending::Plan) == (then == 0));
   RC_ASSERT(question.if_no.left == count(then));
   RC_ASSERT(question.if_no.settled == count(now & ~asked) - count(then));
@@ -120,8 +120,8 @@ TEST(Asking, OfAGroupTheProspectsAreThoseOfWhatIsLeft) {
   ASSERT_EQ(session.state(), State::AwaitingAnswer) << "(held b) still matters";
   EXPECT_LT(session.question()->max_remaining, before);
   EXPECT_EQ(session.question()->max_remaining, 1U);
-  EXPECT_EQ(session.question()->if_no.ending, questions::Prospect::Ending::Plan);
-  EXPECT_EQ(session.question()->if_yes.ending, questions::Prospect::Ending::NoPlan);
+  EXPECT_EQ(session.question()->if_no.ending, questions::AnswerEffect::Ending::Plan);
+  EXPECT_EQ(session.question()->if_yes.ending, questions::AnswerEffect::Ending::NoPlan);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "goal_alignment/alignment/robot_side.h"
+#include "goal_alignment/alignment/robot_analysis.h"
 #include "goal_alignment/session/session.h"
 #include "goal_alignment/validation/execution.h"
 #include "samples.h"
@@ -63,7 +63,7 @@ TEST_P(HaglIpc, ConflictsAreThoseOfTheOtherProgram) {
   const alignment::Problem problem = alignment::makeProblem(
       pddl::readModel(input.robot_domain, input.robot_problem),
       pddl::readModel(input.human_domain, input.human_problem), {}, std::move(input.human_plan));
-  const alignment::RobotSide robot = alignment::makeRobotSide(problem, true, {}, {});
+  const alignment::RobotAnalysis robot = alignment::analyseRobot(problem, true, {}, {});
   EXPECT_TRUE(robot.achievability->findAllConflicts({}));
   std::set<std::set<Literal>> found;
   for (const auto& conflict : robot.achievability->conflicts()) {

@@ -35,7 +35,7 @@ using samples::think;
 using samples::wanting;
 
 std::string refusal(Session& session, const std::vector<Literal>& fluents, AnswerKind kind) {
-  const Receipt receipt = session.answer(fluents, kind, "somebody");
+  const SubmitResult receipt = session.answer(fluents, kind, "somebody");
   return receipt.accepted ? "accepted" : receipt.message;
 }
 
@@ -62,7 +62,7 @@ TEST(Dialogue, RefusedAnswersHaveAReasonAndChangeNothing) {
   // One bad fluent refuses the whole answer.
   EXPECT_NE(yes({"(held b)", "(held c)"}), "accepted");
   EXPECT_TRUE(unchanged());
-  const Receipt receipt = session.revise(literals({"(held b)"}), AnswerKind::No, "me");
+  const SubmitResult receipt = session.revise(literals({"(held b)"}), AnswerKind::No, "me");
   EXPECT_FALSE(receipt.accepted);
   EXPECT_NE(receipt.message.find("not answered yet"), std::string::npos);
   EXPECT_TRUE(unchanged());
@@ -94,7 +94,7 @@ RC_GTEST_PROP(Dialogue, VolunteeredAnswersAreNotAskedForAgain, ()) {
   const auto volunteer = [&] {
     for (const Literal& fluent : hagl.candidates) {
       if (!oracles::chance(random, 0.2)) continue;
-      const Receipt receipt = session.answer({fluent}, honest(hagl)(fluent), "eager");
+      const SubmitResult receipt = session.answer({fluent}, honest(hagl)(fluent), "eager");
       RC_ASSERT(receipt.accepted == receipt.message.empty());
       if (receipt.accepted) volunteered.insert(fluent);
     }
@@ -325,7 +325,7 @@ TEST(Dialogue, DeclineEndsItUndecided) {
 TEST(Dialogue, AnOutcomeCannotBeDeclined) {
   Session session = atFirstQuestion();
   talk(session, wanting({"(held a)"}));
-  const Receipt receipt = session.answer(literals({"(held b)"}), AnswerKind::Decline, "Ada");
+  const SubmitResult receipt = session.answer(literals({"(held b)"}), AnswerKind::Decline, "Ada");
   EXPECT_FALSE(receipt.accepted);
   EXPECT_NE(receipt.message, "");
   EXPECT_EQ(code(session), 1);
@@ -335,12 +335,12 @@ TEST(Dialogue, GivingUpKeepsTheAnswersForLater) {
   Session session = atFirstQuestion();
   session.answer(literals({"(held b)"}), AnswerKind::No, "me");
   think(session);
-  session.giveUpWaiting("nobody is here");
+  session.answerTimedOut("nobody is here");
   EXPECT_EQ(session.state(), State::Done);
   EXPECT_EQ(code(session), 60);
   EXPECT_EQ(session.outcome().message, "nobody is here");
   EXPECT_EQ(session.snapshot().candidates[4].state, CandidateState::NotWanted);
-  session.giveUpWaiting("once more");  // there is nothing to wait for
+  session.answerTimedOut("once more");  // there is nothing to wait for
   EXPECT_EQ(session.outcome().message, "nobody is here");
   session.answer(literals({"(held a)"}), AnswerKind::No, "me");
   EXPECT_EQ(session.state(), State::Analysing);
@@ -350,10 +350,10 @@ TEST(Dialogue, GivingUpKeepsTheAnswersForLater) {
 
 TEST(Dialogue, GivingUpWithoutAQuestionDoesNothing) {
   Session session{Options{}};
-  session.giveUpWaiting("nobody");
+  session.answerTimedOut("nobody");
   EXPECT_EQ(session.state(), State::Idle);
   session.begin(desk());
-  session.giveUpWaiting("nobody");
+  session.answerTimedOut("nobody");
   EXPECT_EQ(session.state(), State::Analysing);
 }
 

@@ -119,7 +119,7 @@ TEST(ExtraCost, WhatCostsTooMuchCanBeGivenUp) {
     ASSERT_EQ(session.outcome().code, end) << session.outcome().message;
     ASSERT_EQ(session.outcome().alternatives.size(), 1U);
     EXPECT_EQ(session.outcome().alternatives.front().given_up, literals({"(off)"}));
-    session.goOn({});
+    session.resume({});
     const bool unsure = end == OutcomeCode::UnsureBlocks;
     EXPECT_TRUE((unsure ? session.revise(literals({"(off)"}), AnswerKind::No, "me")
                         : session.answer(literals({"(off)"}), AnswerKind::No, "me"))

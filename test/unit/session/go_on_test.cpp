@@ -32,7 +32,7 @@ TEST(SessionGoesOn, AfterACancelWithTheSameQuestion) {
   session.cancel();
   session.step();
   ASSERT_EQ(code(session), 50);
-  session.goOn({});
+  session.resume({});
   ASSERT_EQ(think(session), State::AwaitingAnswer);
   EXPECT_EQ(session.question()->fluents, asked);
 }
@@ -43,9 +43,9 @@ TEST(SessionGoesOn, AndCountsAQuestionOncePerGoal) {
   ASSERT_EQ(think(session), State::AwaitingAnswer);
   EXPECT_EQ(session.snapshot().questions_asked, 1U) << "taken back and put again";
   EXPECT_EQ(session.question()->asked, 0U);
-  session.giveUpWaiting("nobody is there");
+  session.answerTimedOut("nobody is there");
   EXPECT_EQ(session.snapshot().questions_asked, 1U);
-  session.goOn({});
+  session.resume({});
   ASSERT_EQ(think(session), State::AwaitingAnswer);
   EXPECT_EQ(session.snapshot().questions_asked, 2U);
 }
@@ -56,36 +56,36 @@ TEST(SessionGoesOn, AfterACancelBeforeTheModelsWereRead) {
   session.cancel();
   session.step();
   ASSERT_EQ(code(session), 50);
-  session.goOn({});
+  session.resume({});
   EXPECT_EQ(think(session), State::AwaitingAnswer);
 }
 
 TEST(SessionGoesOn, AfterSilenceAndDecline) {
   Session session = atFirstQuestion();
-  session.giveUpWaiting("nobody is there");
+  session.answerTimedOut("nobody is there");
   ASSERT_EQ(code(session), 60);
-  session.goOn({});
+  session.resume({});
   ASSERT_EQ(think(session), State::AwaitingAnswer);
   ASSERT_TRUE(session.answer({}, AnswerKind::Decline, "Ann").accepted);
   ASSERT_EQ(code(session), 61);
-  session.goOn({});
+  session.resume({});
   EXPECT_EQ(think(session), State::AwaitingAnswer);
 }
 
 TEST(SessionGoesOn, AfterTheWorldOutsideBrokeItOff) {
   Session session{Options{}};
-  session.breakOff(OutcomeCode::StateUnknown, "where is it?");
+  session.abort(OutcomeCode::StateUnknown, "where is it?");
   EXPECT_EQ(session.state(), State::Idle);
   session = atFirstQuestion();
   ASSERT_TRUE(session.answer({session.question()->fluents[0]}, AnswerKind::No, "me").accepted);
   think(session);
   const std::size_t asked = session.snapshot().questions_asked;
   for (const OutcomeCode why : {OutcomeCode::StateUnknown, OutcomeCode::InvalidModel}) {
-    session.breakOff(why, "where is it?");
+    session.abort(why, "where is it?");
     EXPECT_EQ(session.state(), State::Done);
     EXPECT_EQ(session.outcome().code, why);
     EXPECT_EQ(session.outcome().message, "where is it?");
-    session.goOn({});
+    session.resume({});
     EXPECT_EQ(session.state(), State::Analysing);
     think(session);
     EXPECT_NE(session.outcome().code, why);
@@ -102,13 +102,13 @@ TEST(SessionGoesOn, AfterTheQuestionLimitWithANewAllowance) {
   ASSERT_EQ(code(session), 62);
   Options one;
   one.max_questions = 1;
-  session.goOn(one);
+  session.resume(one);
   ASSERT_EQ(think(session), State::AwaitingAnswer);
   const Literal fluent = session.question()->fluents.front();
   ASSERT_TRUE(session.answer({fluent}, AnswerKind::No, "Ann").accepted);
   if (think(session) == State::Done && code(session) != 62) return;  // one was enough
   ASSERT_EQ(code(session), 62);
-  session.goOn(one);
+  session.resume(one);
   ASSERT_EQ(think(session), State::AwaitingAnswer);
   EXPECT_NE(session.question()->fluents.front(), fluent);
 }
@@ -120,7 +120,7 @@ TEST(SessionGoesOn, AfterATimeLimitWithANewOne) {
   session.begin(desk());
   think(session);
   ASSERT_EQ(code(session), 53);
-  session.goOn({});
+  session.resume({});
   EXPECT_EQ(think(session), State::AwaitingAnswer);
 }
 
@@ -128,7 +128,7 @@ TEST(SessionGoesOn, NotFromADefiniteOutcome) {
   Session session = atFirstQuestion();
   talk(session, wanting({}));
   ASSERT_EQ(code(session), 1);
-  session.goOn({});
+  session.resume({});
   EXPECT_EQ(session.state(), State::Done);
   EXPECT_EQ(code(session), 1);
 }
@@ -139,7 +139,7 @@ TEST(SessionGoesOn, UnderAnUnsurePolicyThatDecides) {
   Session session = atFirstQuestion(abort);
   ASSERT_TRUE(session.answer(session.question()->fluents, AnswerKind::Unsure, "Ann").accepted);
   ASSERT_EQ(code(session), 64);
-  session.goOn({});
+  session.resume({});
   EXPECT_NE(think(session), State::Idle);
   EXPECT_TRUE(session.state() == State::AwaitingAnswer || code(session) != 0);
 }
@@ -164,16 +164,16 @@ std::size_t timesAskedAboutHeldB(Session& session) {
 
 TEST(SessionGoesOn, UnderItsOwnUnsurePolicy) {
   Session session = atFirstQuestion(under(UnsurePolicy::Defer));
-  session.giveUpWaiting("nobody is there");
-  session.goOn({});
+  session.answerTimedOut("nobody is there");
+  session.resume({});
   EXPECT_EQ(session.unsurePolicy(), UnsurePolicy::Defer);
   EXPECT_EQ(timesAskedAboutHeldB(session), 2U);
 }
 
 TEST(SessionGoesOn, UnderTheUnsurePolicyThatItIsGiven) {
   Session session = atFirstQuestion(under(UnsurePolicy::Defer));
-  session.giveUpWaiting("nobody is there");
-  session.goOn(under(UnsurePolicy::AsYes));
+  session.answerTimedOut("nobody is there");
+  session.resume(under(UnsurePolicy::AsYes));
   EXPECT_EQ(session.unsurePolicy(), UnsurePolicy::AsYes);
   EXPECT_EQ(timesAskedAboutHeldB(session), 1U);
 }
@@ -182,7 +182,7 @@ TEST(SessionGoesOn, UnderDeferAfterARevisedAnswer) {
   Session session = atFirstQuestion(under(UnsurePolicy::Defer));
   talk(session, wanting({}));
   ASSERT_EQ(code(session), 1);
-  session.goOn({});
+  session.resume({});
   ASSERT_TRUE(session.revise({literal("(held b)")}, AnswerKind::Unsure, "Ann").accepted);
   EXPECT_EQ(timesAskedAboutHeldB(session), 1U) << "once more";
 }
@@ -191,8 +191,8 @@ TEST(SessionGoesOn, UnderAbortUntilTheNextDontKnow) {
   Session session = atFirstQuestion(under(UnsurePolicy::Abort));
   ASSERT_TRUE(session.answer(session.question()->fluents, AnswerKind::No, "Ann").accepted);
   ASSERT_EQ(think(session), State::AwaitingAnswer);
-  session.giveUpWaiting("nobody is there");
-  session.goOn({});
+  session.answerTimedOut("nobody is there");
+  session.resume({});
   ASSERT_EQ(think(session), State::AwaitingAnswer);
   ASSERT_TRUE(session.answer(session.question()->fluents, AnswerKind::Unsure, "Ann").accepted);
   EXPECT_EQ(session.state(), State::Done);
@@ -203,7 +203,7 @@ TEST(SessionGoesOn, AnOptionOutOfRangeIsRefused) {
   Session session = atFirstQuestion();
   Options broken;
   broken.max_questions = -2;
-  EXPECT_THROW(session.goOn(broken), std::invalid_argument);
+  EXPECT_THROW(session.resume(broken), std::invalid_argument);
 }
 
 TEST(SessionAnswers, AreTakenAsSoonAsTheModelsAreRead) {
@@ -236,7 +236,7 @@ RC_GTEST_PROP(SessionGoesOn, ToTheSameOutcomeAndAsksNothingTwice, ()) {
   const samples::Person person = honest(hagl);
   for (int steps = 0; session.state() != State::Done || code(session) == 50; ++steps) {
     RC_ASSERT(steps < 10'000);
-    if (session.state() == State::Done) session.goOn(options("auto", mode));
+    if (session.state() == State::Done) session.resume(options("auto", mode));
     if (oracles::chance(random, 0.3)) session.cancel();
     session.step();
     if (session.state() != State::AwaitingAnswer || oracles::chance(random, 0.2)) continue;

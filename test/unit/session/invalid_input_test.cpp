@@ -116,7 +116,7 @@ TEST(InvalidInput, AnswersAreRefused) {
   Session session{Options{}};
   session.begin({});
   think(session);
-  const Receipt receipt = session.answer(literals({"(free)"}), AnswerKind::Yes, "me");
+  const SubmitResult receipt = session.answer(literals({"(free)"}), AnswerKind::Yes, "me");
   EXPECT_FALSE(receipt.accepted);
   EXPECT_NE(receipt.message, "");
   EXPECT_EQ(session.state(), State::Done);

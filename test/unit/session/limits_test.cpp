@@ -74,7 +74,7 @@ TEST(SessionLimits, ANewAllowanceComesWithANewAnswer) {
   Options chosen;
   chosen.time_limit = 3;
   Session session = atFirstQuestion(chosen);
-  session.giveUpWaiting("nobody");
+  session.answerTimedOut("nobody");
   for (int i = 0; i < 3; ++i) {
     session.setRobotState({{"free", {}}, {"down", {"a"}}, {"down", {"b"}}});
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // waiting is no thinking
@@ -205,7 +205,7 @@ TEST(SessionLimits, FindingAllConflictsLeavesTimeForQuestions) {
   session.begin(tileInTwoPlaces());
   ASSERT_EQ(think(session), State::AwaitingAnswer) << session.outcome().message;
   EXPECT_TRUE(session.question()->bound_is_provisional);
-  session.giveUpWaiting("nobody is there");
+  session.answerTimedOut("nobody is there");
   const std::string& message = session.outcome().message;
   EXPECT_EQ(code(session), 60);
   EXPECT_NE(message.find("finding all conflicts stopped: time"), std::string::npos) << message;

@@ -22,7 +22,7 @@ using samples::code;
 using samples::literals;
 using samples::talk;
 
-constexpr std::size_t kMostCandidates = 13;
+constexpr std::size_t kMaxCandidates = 13;
 
 /// The problem with all candidates that the session has; of the new ones some are wanted.
 Hagl withCandidatesOf(const Session& session, Hagl hagl, RandomSource& random) {
@@ -67,7 +67,7 @@ RC_GTEST_PROP(NegativeCandidates, AreAllThatTheRobotMayMakeSoUnexpectedly, ()) {
   session.step();  // the models are read
   Hagl hagl = withCandidatesOf(session, positive, random);
   requireComplete(positive, hagl);
-  RC_PRE(hagl.size() <= kMostCandidates);
+  RC_PRE(hagl.size() <= kMaxCandidates);
   hagl.analyse();
   talk(session, samples::honest(hagl));
   RC_LOG() << session.outcome().message << "\n";

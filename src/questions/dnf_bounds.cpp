@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dnf_bounds.h"
+
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <utility>
+
+#include "live_conflict.h"
+
+namespace goal_alignment::questions {
+
+namespace {
+
+/// Of one set.
+struct SetCost {
+  double all = 1;      ///< P(all wanted)
+  double cost = 0;     ///< E[questions until that is known]
+  double inverse = 0;  ///< Σ 1/p
+};
+
+SetCost costOf(CandidateMask set, const Chances& p) {
+  SetCost result;
+  for (CandidateMask left = set; left != 0; left = clearLowestBit(left)) {
+    const std::size_t f = firstBit(left);
+    result.cost += result.all;
+    result.all *= p[f];
+    result.inverse += p.perYes(f);
+  }
+  return result;
+}
+
+CandidateMask inSeveral(const MonotoneDnf& dnf) {
+  CandidateMask once = 0;
+  CandidateMask several = 0;
+  for (const CandidateMask set : dnf) {
+    several |= once & set;
+    once |= set;
+  }
+  return several;
+}
+
+/// The first, and those as likely.
+CandidateMask leastLikely(CandidateMask set, const Chances& p) {
+  const double least = p[firstBit(set)];
+  CandidateMask result = 0;
+  for (CandidateMask left = set; left != 0; left = clearLowestBit(left)) {
+    if (p[firstBit(left)] > least * (1 + kTolerance)) break;
+    result |= bitOf(firstBit(left));
+  }
+  return result;
+}
+
+/// Rule 1 of certainlyFirst().
+CandidateMask firstOfLoneSets(const MonotoneDnf& dnf, const Chances& p) {
+  const CandidateMask several = inSeveral(dnf);
+  double best_ratio = -1;
+  double rest = 0;
+  CandidateMask first = 0;
+  for (const CandidateMask set : dnf) {
+    const SetCost cost = costOf(set, p);
+    if ((set & several) != 0) {
+      rest = std::max(rest, 1 / cost.inverse);
+      continue;
+    }
+    const double ratio = cost.all / cost.cost;
+    if (ratio < best_ratio * (1 - kTolerance)) continue;
+    if (ratio > best_ratio * (1 + kTolerance)) first = 0;
+    best_ratio = std::max(best_ratio, ratio);
+    first |= leastLikely(set, p);
+  }
+  return best_ratio >= rest ? first : 0;
+}
+
+/// Rule 2 of certainlyFirst().
+CandidateMask firstOfCore(const MonotoneDnf& dnf, const Chances& p) {
+  CandidateMask core = ~CandidateMask{0};
+  for (const CandidateMask set : dnf)
+    core &= set;
+  if (core == 0) return 0;
+  const CandidateMask first = leastLikely(core, p);
+  const CandidateMask ignored = bitOf(firstBit(first));
+  double rest = 0;
+  CandidateMask used = ignored;
+  for (const CandidateMask set : dnf) {
+    if ((set & used & ~ignored) != 0) continue;
+    used |= set;
+    rest += p.perNo(firstBit(set & ~ignored));
+  }
+  return p.perNo(firstBit(first)) <= rest ? first : 0;
+}
+
+/// Who stands beside a candidate.
+struct CandidateSymmetry {
+  CandidateMask all = 0;
+  std::array<CandidateMask, kMaxBits> beside;  // what is in every set with it
+  std::array<DnfKey, kMaxBits> links{};        // the sets with it, without it
+
+  explicit CandidateSymmetry(const MonotoneDnf& dnf) {
+    beside.fill(~CandidateMask{0});
+    for (const CandidateMask set : dnf) {
+      all |= set;
+      for (CandidateMask left = set; left != 0; left = clearLowestBit(left)) {
+        const std::size_t f = firstBit(left);
+        beside[f] &= set;
+        addTo(links[f], set & ~bitOf(f));
+      }
+    }
+  }
+  bool together(std::size_t a, std::size_t b) const {
+    return (beside[a] & bitOf(b)) != 0 && (beside[b] & bitOf(a)) != 0;
+  }
+  bool exchangeable(std::size_t a, std::size_t b) const { return links[a] == links[b]; }
+
+  /// Asking b instead of a never costs more; of equals, the first one is kept.
+  bool replaces(std::size_t b, std::size_t a, const Chances& p) const {
+    if (together(a, b)) return p[b] < p[a] || (p[b] == p[a] && b < a);
+    if (exchangeable(a, b)) return p[b] > p[a] || (p[b] == p[a] && b < a);
+    return false;
+  }
+};
+
+}  // namespace
+
+Chances::Chances(const std::vector<double>& rising) {
+  for (std::size_t f = 0; f < rising.size(); ++f) {
+    const bool alike = f > 0 && rising[f] == rising[f - 1];
+    of_[f] = {rising[f], 1 / rising[f], 1 / (1 - rising[f]), alike ? of_[f - 1].first_alike : f};
+  }
+}
+
+bool Chances::anyAlike(CandidateMask set) const {
+  std::size_t last = kMaxBits;
+  for (CandidateMask left = set; left != 0; left = clearLowestBit(left)) {
+    const std::size_t first = firstAlike(firstBit(left));
+    if (first == last && first != kMaxBits) return true;
+    last = first;
+  }
+  return false;
+}
+
+bool isDisjoint(const MonotoneDnf& dnf) {
+  return inSeveral(dnf) == 0;
+}
+
+double disjointCost(const MonotoneDnf& dnf, const Chances& p) {
+  boost::container::small_vector<SetCost, 12> sets;
+  for (const CandidateMask set : dnf)
+    sets.push_back(costOf(set, p));
+  std::sort(sets.begin(), sets.end(),
+            [](const SetCost& a, const SetCost& b) { return a.all / a.cost > b.all / b.cost; });
+  double sum = 0;
+  double reached = 1;
+  for (const SetCost& set : sets) {
+    sum += reached * set.cost;
+    reached *= 1 - set.all;
+  }
+  return sum;
+}
+
+double leastCost(const MonotoneDnf& dnf, const Chances& p) {
+  double smallest = kMaxBits;
+  double disjoint = 0;
+  double least_yes = 1e300;
+  double least_no = 0;
+  double no = 1;           // P(no), from below
+  double disjoint_no = 1;  // P(none of the disjoint sets is all wanted)
+  CandidateMask used = 0;
+  for (const CandidateMask set : dnf) {
+    const SetCost cost = costOf(set, p);
+    smallest = std::min(smallest, static_cast<double>(countBits(set)));
+    least_yes = std::min(least_yes, cost.inverse);
+    no *= 1 - cost.all;
+    if ((set & used) != 0) continue;
+    used |= set;
+    ++disjoint;
+    disjoint_no *= 1 - cost.all;
+    least_no += p.perNo(firstBit(set));
+  }
+  const double yes = 1 - disjoint_no;  // P(yes), from below
+  double by_time = std::min(smallest, disjoint);
+  for (double t = smallest; t < disjoint; ++t)
+    by_time += std::max(no, 1 - t / least_yes);
+  if (disjoint < smallest) by_time += yes * (smallest - disjoint);
+  return std::max({by_time, yes > 0 ? yes * least_yes : 0, no > 0 ? no * least_no : 0});
+}
+
+CandidateMask certainlyFirst(const MonotoneDnf& dnf, const Chances& p) {
+  const CandidateMask lone = firstOfLoneSets(dnf, p);
+  return lone != 0 ? lone : firstOfCore(dnf, p);
+}
+
+CandidateMask worthAsking(const MonotoneDnf& dnf, const Chances& p) {
+  const CandidateSymmetry symmetry(dnf);
+  CandidateMask result = 0;
+  for (CandidateMask left = symmetry.all; left != 0; left = clearLowestBit(left)) {
+    const std::size_t f = firstBit(left);
+    bool replaced = false;
+    for (CandidateMask others = symmetry.all; others != 0 && !replaced;
+         others = clearLowestBit(others)) {
+      const std::size_t other = firstBit(others);
+      replaced = other != f && symmetry.replaces(other, f, p);
+    }
+    if (!replaced) result |= bitOf(f);
+  }
+  return result;
+}
+
+CandidateMask alike(const MonotoneDnf& dnf, const Chances& p, std::size_t candidate) {
+  const CandidateSymmetry symmetry(dnf);
+  CandidateMask result = 0;
+  for (CandidateMask left = symmetry.all; left != 0; left = clearLowestBit(left)) {
+    const std::size_t f = firstBit(left);
+    const bool kind = symmetry.together(f, candidate) || symmetry.exchangeable(f, candidate);
+    if (kind && p[f] == p[candidate]) result |= bitOf(f);
+  }
+  return result;
+}
+
+}  // namespace goal_alignment::questions
