@@ -82,7 +82,11 @@ install(TARGETS goal_alignment_core
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(TARGETS hagl ${goal_alignment_nodes} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
+# The headers of what is exported, the core; yaml_reader.h is for sources that link yaml-cpp.
+foreach(floor IN LISTS GOAL_ALIGNMENT_CORE_FLOORS)
+  install(DIRECTORY include/${PROJECT_NAME}/${floor}
+    DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION} PATTERN yaml_reader.h EXCLUDE)
+endforeach()
 catkin_install_python(PROGRAMS examples/align_and_execute.py examples/fake_robot.py
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(DIRECTORY launch config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})

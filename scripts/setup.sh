@@ -2,8 +2,8 @@
 # shellcheck shell=bash
 # What demo, test and hagl share: packages and builds. Sourced, never run.
 #
-#     build/core    the core library, hagl and the unit tests, without ROS
-#     build/ros     the catkin package; its devel space is build/devel
+#     build/core    the core library and hagl, without ROS
+#     build/ros     the catkin package and all tests; its devel space is build/devel
 #     build/asan build/ros-asan build/tsan build/ros-tsan build/fuzz    for scripts/test --all
 #     build/logs    what the tools said
 

@@ -24,9 +24,4 @@ double growthExponent(const std::vector<Record>& records, const std::string& x,
 /// kind, the growth exponents.
 std::string summary(const std::vector<Record>& records);
 
-/// Writes plots of growth with objects, operators and candidates into the folder, which is made:
-/// `calls_<kind>_<x>.svg`, one line a family, and `alignments_<x>.svg`. Those without a point are
-/// left out. Throws pddl::InputError.
-void writePlots(const std::vector<Record>& records, const std::string& folder);
-
 }  // namespace goal_alignment::benchmarks

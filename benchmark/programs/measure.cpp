@@ -31,7 +31,6 @@ struct Arguments {
   std::uint64_t seed = 1;
   benchmarks::MeasureLimits limits;
   std::string csv;
-  std::string plots;
   std::string report;
 };
 
@@ -96,7 +95,7 @@ std::string conditions(const Arguments& arguments) {
 void writeReport(const Arguments& arguments, const std::vector<Record>& calls,
                  const std::vector<Record>& alignments, const std::vector<Record>& all) {
   const std::filesystem::path base = std::filesystem::path(arguments.report) / "performance";
-  benchmarks::writePlots(all, base.string());
+  std::filesystem::create_directories(base);
   if (!calls.empty()) benchmarks::writeCsv(calls, (base / "calls.csv").string());
   if (!alignments.empty()) benchmarks::writeCsv(alignments, (base / "alignments.csv").string());
   std::ofstream out(base / "summary.md");
@@ -113,7 +112,6 @@ void measure(const Arguments& arguments) {
   all.insert(all.end(), alignments.begin(), alignments.end());
   std::cout << '\n' << conditions(arguments) << benchmarks::summary(all);
   if (!arguments.csv.empty()) benchmarks::writeCsv(all, arguments.csv);
-  if (!arguments.plots.empty()) benchmarks::writePlots(all, arguments.plots);
   if (!arguments.report.empty()) writeReport(arguments, calls, alignments, all);
 }
 
@@ -140,9 +138,8 @@ int main(int argc, char** argv) {
   app.add_option("--memory-limit", arguments.limits.mebibytes, "MiB a task")
       ->check(CLI::PositiveNumber);
   app.add_option("--csv", arguments.csv, "all figures");
-  app.add_option("--plots", arguments.plots, "folder for SVG plots");
   app.add_option("--report", arguments.report,
-                 "folder whose subfolder `performance` gets tables, plots and the summary");
+                 "folder whose subfolder `performance` gets tables and the summary");
   CLI11_PARSE(app, argc, argv);
   if (full) arguments.dialogue.conflicts = goal_alignment::session::ConflictMode::Full;
   try {

@@ -62,7 +62,7 @@ bool AlignmentRunner::patienceLasts() {
   const auto now = Clock::now();
   if (!kept_.unknown_since) kept_.unknown_since = now;
   const std::chrono::duration<double> missed = now - *kept_.unknown_since;
-  return missed.count() < kept_.options.tf_patience;
+  return missed.count() < kept_.options.tf_timeout;
 }
 
 // What the first look changes nobody was told otherwise.

@@ -192,9 +192,8 @@ void AlignmentRunner::continueSession(const AlignGoal& goal, const NodeOptions& 
 }
 
 void AlignmentRunner::warnAboutUnknown(const NodeOptions& options) {
-  for (const std::string& key : options.unknown) {
-    if (!warned_about_.insert(key).second) continue;
-    ROS_WARN("nobody reads the parameter %s", private_node_.resolveName(key).c_str());
+  for (const std::string& warning : options.warnings) {
+    if (warned_about_.insert(warning).second) ROS_WARN("%s", warning.c_str());
   }
 }
 

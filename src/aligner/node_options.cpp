@@ -52,12 +52,15 @@ void readBelief(ros_common::ParameterReader& reader, alignment::BeliefOptions& b
 }
 
 void readHidden(ros_common::ParameterReader& reader, session::Options& options) {
-  reader.read("hidden_wanted", options.hidden_wanted);
-  reader.read("hidden_not_wanted", options.hidden_not_wanted);
+  reader.renamed("hidden_wanted", "assumed_wanted_predicates");
+  reader.renamed("hidden_not_wanted", "assumed_unwanted_predicates");
+  reader.read("assumed_wanted_predicates", options.hidden_wanted);
+  reader.read("assumed_unwanted_predicates", options.hidden_not_wanted);
   const auto& wanted = options.hidden_wanted;
   for (const std::string& name : options.hidden_not_wanted) {
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
-    reader.refuse("hidden_not_wanted", "other names than hidden_wanted has, not '" + name + "'");
+    reader.refuse("assumed_unwanted_predicates",
+                  "other names than assumed_wanted_predicates has, not '" + name + "'");
   }
 }
 
@@ -121,12 +124,13 @@ NodeOptions NodeOptions::read(const XmlRpc::XmlRpcValue& values, const std::stri
   reader.read("facts_expiry", options.facts_expiry, 0, kLongestExpiry);
   reader.read("world", options.world);
   reader.read("tf_facts", options.tf_facts);
-  reader.read("tf_patience", options.tf_patience, 0, 3600);
+  reader.renamed("tf_patience", "tf_timeout");
+  reader.read("tf_timeout", options.tf_timeout, 0, 3600);
   reader.read("tf_period", options.tf_period, 0.01, 60);
   reader.read("diagnostic_period", options.diagnostic_period, 0.01, 3600);
   reader.read("markers", options.markers);
   reader.read("marker_frames", options.marker_frames);
-  options.unknown = reader.unknown();
+  options.warnings = reader.warnings();
   return options;
 }
 

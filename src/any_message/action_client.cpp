@@ -192,7 +192,7 @@ ActionClient::End ActionClient::run(const Bytes& goal, const ros::Time& now, con
   cancel();
   if (woken == Woken::Holds) return {End::Kind::Lost, 0, "", {}, true};
   End end{kindOf(woken), 0, "", {}, true};
-  const Woken settled = wait_.settleUntil(deadlineIn(limits.cancel_patience), isOver);
+  const Woken settled = wait_.settleUntil(deadlineIn(limits.cancel_timeout), isOver);
   if (settled == Woken::Timeout) {
     end.text = "it did not end when it was canceled";
     end.is_over = false;

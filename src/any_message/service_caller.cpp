@@ -129,8 +129,8 @@ ServiceCaller::Reply ServiceCaller::call(const std::string& service, const std::
   };
   auto woken = give_up == On::Interrupt ? wait_.waitUntil(limits.end, isAnswered)
                                         : wait_.settleUntil(limits.end, isAnswered);
-  if (woken == WaitPoint::Woken::Timeout && limits.cancel_patience > 0)
-    woken = wait_.waitUntil(deadlineIn(limits.cancel_patience), isAnswered);
+  if (woken == WaitPoint::Woken::Timeout && limits.cancel_timeout > 0)
+    woken = wait_.waitUntil(deadlineIn(limits.cancel_timeout), isAnswered);
   const std::lock_guard<std::mutex> lock(call->mutex);
   if (call->reply) return *call->reply;
   call->abandoned = true;

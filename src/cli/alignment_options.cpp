@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "goal_alignment/cli/alignment_options.h"
 
+#include <iostream>
 #include <limits>
 #include <map>
 #include <set>
@@ -49,6 +50,17 @@ alignment::BeliefOptions beliefOptions(const AlignmentWords& words) {
   return belief;
 }
 
+/// Takes the option's values under its former name too, with a warning, until the next release.
+void addFormerName(CLI::App& command, const std::string& former, const std::string& name,
+                   std::vector<std::string>& values) {
+  const auto take = [former, name, &values](const std::vector<std::string>& given) {
+    std::cerr << "hagl: " << former << " is now called " << name << "; the name " << former
+              << " will be removed in the next release\n";
+    values.insert(values.end(), given.begin(), given.end());
+  };
+  command.add_option_function<std::vector<std::string>>(former, take)->group("");
+}
+
 }  // namespace
 
 void AlignmentWords::add(CLI::App& command) {
@@ -60,10 +72,11 @@ void AlignmentWords::add(CLI::App& command) {
   command.add_option("--group", group, "fluents a question may offer");
   command.add_option("--unsure-policy", unsure_policy, "as-yes, defer or abort");
   command.add_flag("--negative-candidates", negative_candidates, "ask about side effects, too");
-  command.add_option("--hidden-wanted", hidden_wanted,
+  command.add_option("--assumed-wanted", assumed_wanted,
                      "predicate nobody is asked about, assumed to be wanted; may be repeated");
-  command.add_option("--hidden-not-wanted", hidden_not_wanted,
-                     "the same, assumed not to be wanted");
+  command.add_option("--assumed-unwanted", assumed_unwanted, "the same, assumed not to be wanted");
+  addFormerName(command, "--hidden-wanted", "--assumed-wanted", assumed_wanted);
+  addFormerName(command, "--hidden-not-wanted", "--assumed-unwanted", assumed_unwanted);
   command.add_option("--max-extra-cost", max_extra_cost,
                      "ask about what would cost more than this to keep");
   command.add_flag("--costs", costs, "use :action-costs where both models have them");
@@ -97,8 +110,8 @@ session::Options AlignmentWords::options() const {
   options.threads = threads;
   options.max_group_size = static_cast<std::size_t>(group);
   options.negative_candidates = negative_candidates;
-  options.hidden_wanted = hidden_wanted;
-  options.hidden_not_wanted = hidden_not_wanted;
+  options.hidden_wanted = assumed_wanted;
+  options.hidden_not_wanted = assumed_unwanted;
   options.max_extra_cost = max_extra_cost;
   options.costs = costs;
   options.static_candidates = !no_static;

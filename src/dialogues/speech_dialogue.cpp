@@ -58,9 +58,8 @@ SpeechDialogue::SpeechDialogue(ros::NodeHandle node, ros::NodeHandle private_nod
       diagnostics_(node, private_node),
       ends_(node, [this] { changed_.notify_all(); }),
       listener_(1, &recognitions_) {
-  for (const std::string& key : options_.unknown)
-    ROS_WARN("parameter %s/%s: there is no such parameter", private_node.getNamespace().c_str(),
-             key.c_str());
+  for (const std::string& warning : options_.warnings)
+    ROS_WARN("%s", warning.c_str());
   service_ = node.advertiseService(ros_common::kAskHumanService, &SpeechDialogue::ask, this);
   node.setCallbackQueue(&recognitions_);
   recognised_ =

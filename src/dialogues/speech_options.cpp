@@ -42,7 +42,7 @@ SpeechOptions SpeechOptions::read(const XmlRpc::XmlRpcValue& values, const std::
   reader.read("retries", options.retries, 0, 100);
   reader.read("person", options.person);
   if (options.person.empty()) reader.refuse("person", "a name");
-  options.unknown = reader.unknown();
+  options.warnings = reader.warnings();
   return options;
 }
 

@@ -91,8 +91,8 @@ StepEnd ActionSteps::run(const StepTry& attempt) {
   const any_message::Bytes goal = any_message::encode(attempt.types, type.goal, attempt.rule.fields,
                                                       attempt.arguments, ros_common::stampNow());
   attempt.dispatch();
-  const any_message::ActionClient::Limits limits{attempt.rule.server_patience,
-                                                 attempt.options.cancel_patience, attempt.end};
+  const any_message::ActionClient::Limits limits{attempt.rule.server_timeout,
+                                                 attempt.options.cancel_timeout, attempt.end};
   return treat(attempt, name, clientOf(name, type).run(goal, ros_common::stampNow(), limits));
 }
 

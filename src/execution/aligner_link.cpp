@@ -138,8 +138,8 @@ bool AlignerLink::isOwnGoal(const std::string& goal_id) {
   return goal_id.rfind(ownGoals(), 0) == 0;
 }
 
-std::optional<AlignResult> AlignerLink::replan(const std::string& session_id,
-                                               double cancel_patience, std::string& why_not) {
+std::optional<AlignResult> AlignerLink::replan(const std::string& session_id, double cancel_timeout,
+                                               std::string& why_not) {
   using EndKind = any_message::ActionClient::End::Kind;
   AlignGoal goal;
   goal.continue_session = session_id;
@@ -152,7 +152,7 @@ std::optional<AlignResult> AlignerLink::replan(const std::string& session_id,
   const std::string id =
       fmt::format("{}{}-{}", ownGoals(), ros_common::stampNow().toNSec(), ++goals_sent_);
   const auto end = align_.run(bytes, ros_common::stampNow(),
-                              {kAlignerPatience, cancel_patience, any_message::TimeLimit()}, id);
+                              {kAlignerPatience, cancel_timeout, any_message::TimeLimit()}, id);
   if (end.kind == EndKind::NoServer) {
     why_not = "there is no aligner to plan anew";
   } else if (end.kind != EndKind::Ended || !end.result) {

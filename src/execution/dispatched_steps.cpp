@@ -160,7 +160,7 @@ StepEnd DispatchedSteps::run(const StepTry& attempt) {
   using Woken = any_message::WaitPoint::Woken;
   const auto isListening = [this] { return dispatches_.getNumSubscribers() > 0; };
   const any_message::TimeLimit patience =
-      attempt.end.capped(any_message::deadlineIn(attempt.rule.server_patience));
+      attempt.end.capped(any_message::deadlineIn(attempt.rule.server_timeout));
   const Woken found = wait_.waitUntil(patience, isListening);
   if (found == Woken::Interrupt) return {StepEnd::Kind::Interrupted, ""};
   if (found == Woken::Timeout) {
@@ -203,7 +203,7 @@ StepEnd DispatchedSteps::withdraw(const StepTry& attempt, StepEnd end) {
   cancel(attempt.step);
   if (!was_taken_up && end.kind == StepEnd::Kind::Interrupted) return end;
   const auto isDone = [this] { return heard() && isOver(heard()->status); };
-  wait_.settleUntil(any_message::deadlineIn(attempt.options.cancel_patience),
+  wait_.settleUntil(any_message::deadlineIn(attempt.options.cancel_timeout),
                     [&] { return isDone() || isOrphaned(); });
   // It may have been faster than the cancel, and must not be done once more.
   const auto last = heard();

@@ -40,21 +40,24 @@ ExecutorOptions ExecutorOptions::read(const XmlRpc::XmlRpcValue& values, const s
   reader.read("watch", options.watch);
   reader.read("robot_domain", options.robot_domain);
   reader.read("robot_problem", options.robot_problem);
-  reader.read("facts_patience", options.facts_patience, 0, kLongest);
+  reader.renamed("facts_patience", "facts_timeout");
+  reader.read("facts_timeout", options.facts_timeout, 0, kLongest);
   reader.read("max_replans", options.max_replans, 0, kMaxReplans);
-  reader.read("cancel_patience", options.cancel_patience, 0, kLongest);
+  reader.renamed("cancel_patience", "cancel_timeout");
+  reader.read("cancel_timeout", options.cancel_timeout, 0, kLongest);
   const std::size_t wall = static_cast<std::size_t>(any_message::ClockKind::Wall);
   options.clock =
       static_cast<any_message::ClockKind>(reader.readChoice("clock", {"wall", "ros"}, wall));
   // The library that keeps the period reads it itself.
   reader.read("diagnostic_period", options.diagnostic_period, kShortestPeriod, kLongest);
-  reader.read("servers_patience", options.servers_patience, 0, kLongest);
+  reader.renamed("servers_patience", "servers_timeout");
+  reader.read("servers_timeout", options.servers_timeout, 0, kLongest);
   reader.read("step_duration", options.step_duration, 0, kLongest);
   reader.read("failure_probability", options.failure_probability, 0, 1);
   reader.read("failing_step", options.failing_step, -1, std::numeric_limits<int>::max());
   reader.read("seed", options.seed, 0, std::numeric_limits<int>::max());
   reader.read("frame_rate", options.frame_rate, kLowestRate, kHighestRate);
-  options.unknown = reader.unknown();
+  options.warnings = reader.warnings();
   return options;
 }
 

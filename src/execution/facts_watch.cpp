@@ -129,7 +129,7 @@ PreconditionMonitor::Finding FactsWatch::judgeRest(const std::vector<GroundName>
 }
 
 FactsWatch::Look FactsWatch::await(const Judge& judge, std::size_t first_step, std::size_t steps) {
-  const auto patience = any_message::deadlineIn(options_.facts_patience);
+  const auto patience = any_message::deadlineIn(options_.facts_timeout);
   std::optional<WorldState> judged;
   PreconditionMonitor::Finding finding;
   while (watch_) {
@@ -188,7 +188,7 @@ void FactsWatch::failed(const ActionDispatch& step, const std::vector<Literal>& 
 
 // What tf tells lags behind a step, and stops to be news when others are told about it.
 bool FactsWatch::claimsAreSettled(const WorldState& world) {
-  const std::chrono::duration<double> patience(options_.facts_patience);
+  const std::chrono::duration<double> patience(options_.facts_timeout);
   for (auto entry = claims_.begin(); entry != claims_.end();) {
     const auto& [atom, claim] = *entry;
     const bool holds = std::binary_search(world.facts.begin(), world.facts.end(), atom);

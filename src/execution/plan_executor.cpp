@@ -73,7 +73,7 @@ void PlanExecutor::complainAtTheStart() {
     first_mapping_ = mappingOf(options);
     simulated_steps_.begin(first_mapping_, options);
     warnAboutMisfits(options);
-    look_for_servers_ = any_message::deadlineIn(options.servers_patience);
+    look_for_servers_ = any_message::deadlineIn(options.servers_timeout);
   } catch (const std::exception& error) {
     ROS_ERROR("%s", error.what());
   }
@@ -84,8 +84,8 @@ void PlanExecutor::warnOnce(const std::string& what) {
 }
 
 void PlanExecutor::warnAboutUnknown(const ExecutorOptions& options) {
-  for (const std::string& key : options.unknown)
-    warnOnce("nobody reads the parameter " + private_node_.resolveName(key));
+  for (const std::string& warning : options.warnings)
+    warnOnce(warning);
 }
 
 // The aligner complains where the model is faulty; and a robot may have none before its first task.
@@ -127,7 +127,10 @@ void PlanExecutor::warnAboutServers() {
 StepMapping PlanExecutor::mappingOf(const ExecutorOptions& options) {
   if (options.mapping.empty()) return StepMapping::fromYaml("", "", types_, default_kind_);
   const pddl::Source file = pddl::readFile(ros_common::resolveFile(options.mapping));
-  return StepMapping::fromYaml(file.text, file.name, types_, default_kind_);
+  StepMapping mapping = StepMapping::fromYaml(file.text, file.name, types_, default_kind_);
+  for (const std::string& warning : mapping.warnings)
+    warnOnce(warning);
+  return mapping;
 }
 
 void PlanExecutor::endGoals() {

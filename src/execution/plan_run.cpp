@@ -94,7 +94,7 @@ PlanRun::PlanFailure PlanRun::walk() {
 
 // All of them have the same time, so that many that are missing are found out as soon as one.
 PlanRun::PlanFailure PlanRun::awaitServers() {
-  const auto until = any_message::deadlineIn(options_.servers_patience);
+  const auto until = any_message::deadlineIn(options_.servers_timeout);
   const auto begin = any_message::Clock::now();
   std::set<std::pair<StepKind, std::string>> seen;
   const auto forEach = [&](const auto& treat) {
@@ -112,7 +112,7 @@ PlanRun::PlanFailure PlanRun::awaitServers() {
               const any_message::Arguments& arguments, const std::string& server) {
     const bool is_new = seen.insert({rule.kind, server}).second;
     if (!is_new || parts_.wait.interrupted()) return;
-    const std::chrono::duration<double> patience(rule.server_patience);
+    const std::chrono::duration<double> patience(rule.server_timeout);
     const std::string missing = runnerOf(rule.kind).missing(
         rule, arguments,
         std::min(until,
@@ -261,7 +261,7 @@ std::string PlanRun::replan(const PlanFailure& trouble) {
   std::string why_not = facts_.whyNoNewPlan();
   if (!why_not.empty()) return "no new plan, since " + why_not;
   tell(trouble.step, ActionFeedback::ACTION_FAILED, trouble.reason + "; I plan anew");
-  const auto result = parts_.aligner.replan(plan_.session_id, options_.cancel_patience, why_not);
+  const auto result = parts_.aligner.replan(plan_.session_id, options_.cancel_timeout, why_not);
   if (!result) return why_not;
   why_not = faultOf(result->plan);
   if (why_not.empty()) why_not = mappingFault(result->plan, mapping_, parts_.types);

@@ -62,7 +62,7 @@ StepEnd ServiceSteps::run(const StepTry& attempt) {
   attempt.dispatch();
   const any_message::ServiceCaller::Reply reply =
       services_.call(name, type.md5, request,
-                     {attempt.rule.server_patience, attempt.options.cancel_patience, attempt.end});
+                     {attempt.rule.server_timeout, attempt.options.cancel_timeout, attempt.end});
   switch (reply.kind) {
     case Kind::Answered:
       return checkSuccess(attempt, type.response, reply.response, name);

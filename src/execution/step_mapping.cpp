@@ -20,12 +20,14 @@ constexpr int kMaxRetries = 1000;
 constexpr int kMaxFailures = 1000000;
 
 using Words = std::vector<std::string>;
+constexpr const char* kTimeout = "server_timeout";
+constexpr const char* kFormerTimeout = "server_patience";             // until the next release
 const Words kKinds = {"action", "service", "dispatch", "simulated"};  // as StepKind
 // Keys of every kind, and those of each.
 const Words kCommonKeys = {"kind", "timeout", "retries", "on_failure", "failure_facts", "duration"};
-const std::vector<Words> kKeys = {{"name", "type", "goal", "success_field", "server_patience"},
-                                  {"name", "type", "request", "success_field", "server_patience"},
-                                  {"server_patience"},
+const std::vector<Words> kKeys = {{"name", "type", "goal", "success_field", kTimeout},
+                                  {"name", "type", "request", "success_field", kTimeout},
+                                  {kTimeout},
                                   {"failure_probability", "moves"}};
 
 /// Fills a StepMapping from YAML and knows, for its errors, where everything stands.
@@ -122,13 +124,14 @@ class MappingReader : private YamlReader {
     } else {
       rule.timeout = inherited.timeout;
       rule.retries = inherited.retries;
-      rule.server_patience = inherited.server_patience;
+      rule.server_timeout = inherited.server_timeout;
       rule.stop_on_failure = inherited.stop_on_failure;
       rule.duration = inherited.duration;
     }
     Words keys = kCommonKeys;
     const Words& more = kKeys[static_cast<std::size_t>(rule.kind)];
     keys.insert(keys.end(), more.begin(), more.end());
+    if (node[kFormerTimeout] && keys.back() == kTimeout) keys.emplace_back(kFormerTimeout);
     checkMap(node, "a map", keys);
     readCommon(node, rule);
     readServer(node, rule);
@@ -136,12 +139,11 @@ class MappingReader : private YamlReader {
     return rule;
   }
 
-  void readCommon(const YAML::Node& node, StepRule& rule) const {
+  void readCommon(const YAML::Node& node, StepRule& rule) {
     if (const auto timeout = node["timeout"])
       rule.timeout = number(timeout, "a number", 0, kLongestTimeout);
     if (const auto retries = node["retries"]) rule.retries = whole(retries, 0, kMaxRetries);
-    if (const auto patience = node["server_patience"])
-      rule.server_patience = number(patience, "a number", 0, kLongestTimeout);
+    readServerTimeout(node, rule);
     if (const auto on_failure = node["on_failure"])
       rule.stop_on_failure = word(on_failure, {"replan", "stop"}) == 1;
     if (const auto duration = node["duration"])
@@ -153,6 +155,18 @@ class MappingReader : private YamlReader {
         text(fact, "a text such as \"(not (open {door}))\"");
         rule.failure_facts.push_back(fact);
       }
+    }
+  }
+
+  void readServerTimeout(const YAML::Node& node, StepRule& rule) {
+    for (const char* key : {kFormerTimeout, kTimeout}) {
+      if (const auto timeout = node[key])
+        rule.server_timeout = number(timeout, "a number", 0, kLongestTimeout);
+    }
+    if (const auto former = node[kFormerTimeout]) {
+      mapping_.warnings.push_back(
+          fmt::format("{}: {} is now called {}; the name {} will be removed in the next release",
+                      place(former.Mark()), kFormerTimeout, kTimeout, kFormerTimeout));
     }
   }
 

@@ -69,7 +69,9 @@ XmlRpcValue* ParameterReader::find(const std::string& key) {
 }
 
 void ParameterReader::refuse(const std::string& key, const std::string& expected) const {
-  throw ParameterError(fmt::format("parameter {}/{}: expected {}", namespace_, key, expected));
+  const auto given = given_as_.find(key);
+  throw ParameterError(fmt::format("parameter {}/{}: expected {}", namespace_,
+                                   given == given_as_.end() ? key : given->second, expected));
 }
 
 void ParameterReader::refuse(const std::string& key, const std::string& expected,
@@ -165,15 +167,27 @@ std::size_t ParameterReader::readChoice(const std::string& key,
   return static_cast<std::size_t>(word - words.begin());
 }
 
-std::vector<std::string> ParameterReader::unknown() const {
-  std::vector<std::string> keys;
-  if (values_.getType() != XmlRpcValue::TypeStruct) return keys;
+void ParameterReader::renamed(const std::string& former, const std::string& key) {
+  const XmlRpcValue* found = find(former);
+  if (found == nullptr) return;
+  renamed_.push_back(fmt::format(
+      "parameter {0}/{1} is now called {0}/{2}; the name {1} will be removed in the next release",
+      namespace_, former, key));
+  if (values_.hasMember(key)) return;
+  values_[key] = XmlRpcValue(*found);
+  given_as_[key] = former;
+}
+
+std::vector<std::string> ParameterReader::warnings() const {
+  std::vector<std::string> result = renamed_;
+  if (values_.getType() != XmlRpcValue::TypeStruct) return result;
   // XmlRpcValue iterates only when it is not const.
   XmlRpcValue values = values_;
   for (auto& [key, value] : values) {
-    if (known_.count(key) == 0 && value.getType() != XmlRpcValue::TypeStruct) keys.push_back(key);
+    if (known_.count(key) == 0 && value.getType() != XmlRpcValue::TypeStruct)
+      result.push_back(fmt::format("unknown parameter {}/{}", namespace_, key));
   }
-  return keys;
+  return result;
 }
 
 }  // namespace goal_alignment::ros_common

@@ -73,7 +73,7 @@ class FakeComponent {
 TEST_F(Steps, dispatchedAreCarriedOutByOthers) {
   FakeComponent component(node_);
   ASSERT_TRUE(eventually([&] { return component.isConnected(); }));
-  setMapping("default: {kind: dispatch, server_patience: 20}");
+  setMapping("default: {kind: dispatch, server_timeout: 20}");
   const Plan plan = planOf({{"wash", {{"what", "cup"}}}, {"wash", {{"what", "pan"}}}});
   EXPECT_EQ(run(plan).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
   EXPECT_EQ(component.dispatched, 2);
@@ -89,25 +89,25 @@ TEST_F(Steps, dispatchedAreCancelledAsRosplanKnowsIt) {
   FakeComponent component(node_);
   ASSERT_TRUE(eventually([&] { return component.isConnected(); }));
   component.status = -1;
-  ros::param::set("/plan_executor/cancel_patience", 0.1);
+  ros::param::set("/plan_executor/cancel_timeout", 0.1);
   setMapping("default: {kind: dispatch}");
   cancelWhileItRuns(planOf({{"wash", {}}}), [&] { return component.dispatched == 1; });
   EXPECT_TRUE(eventually([&] { return component.cancelled == 0; }));
 
-  ros::param::set("/plan_executor/cancel_patience", 60.0);
+  ros::param::set("/plan_executor/cancel_timeout", 60.0);
   component.succeeds_when_cancelled = true;
-  setMapping("default: {kind: dispatch, timeout: 3, retries: 3, server_patience: 20}");
+  setMapping("default: {kind: dispatch, timeout: 3, retries: 3, server_timeout: 20}");
   EXPECT_EQ(run(planOf({{"wash", {}}})).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
   EXPECT_EQ(component.dispatched, 2) << "it was not done once more";
-  ros::param::del("/plan_executor/cancel_patience");
+  ros::param::del("/plan_executor/cancel_timeout");
 }
 
 TEST_F(Steps, dispatchedThatNobodyTakesUpFail) {
-  ros::param::set("/plan_executor/cancel_patience", 0.2);
-  setMapping("default: {kind: dispatch, server_patience: 0.3}");
+  ros::param::set("/plan_executor/cancel_timeout", 0.2);
+  setMapping("default: {kind: dispatch, server_timeout: 0.3}");
   expectFailure(run(planOf({{"fly", {}}})), ExecutePlanResult::STEP_FAILED,
                 "nobody takes up the dispatched action fly");
-  ros::param::del("/plan_executor/cancel_patience");
+  ros::param::del("/plan_executor/cancel_timeout");
 }
 
 // A component in a process of its own, which takes everything up and never ends.
@@ -129,7 +129,7 @@ TEST_F(Steps, dispatchedOfWhichTheComponentDiesFailThoughOthersListen) {
            reaches("/plan_executor", "/tireless", "/action_feedback") &&
            reachesUs("/tireless", "/action_feedback");
   })) << textOf(folder_.path() + "/tireless");
-  setMapping("default: {kind: dispatch, timeout: 0, server_patience: 20}");
+  setMapping("default: {kind: dispatch, timeout: 0, server_timeout: 20}");
   const Plan plan = planOf({{"wash", {}}});
   send(plan);
   ASSERT_TRUE(feedback_.waitFor([&](const ActionFeedback& said) {
@@ -143,32 +143,32 @@ TEST_F(Steps, dispatchedTakeNoLateWordOfTheTryBeforeForTheirOwn) {
   FakeComponent component(node_);
   ASSERT_TRUE(eventually([&] { return component.isConnected(); }));
   component.status = -1;
-  ros::param::set("/plan_executor/cancel_patience", 0.1);
-  setMapping("default: {kind: dispatch, timeout: 1, retries: 1, server_patience: 20}");
+  ros::param::set("/plan_executor/cancel_timeout", 0.1);
+  setMapping("default: {kind: dispatch, timeout: 1, retries: 1, server_timeout: 20}");
   component.is_late = true;
   const ExecutePlanResult result = run(planOf({{"wash", {}}}));
   EXPECT_EQ(component.dispatched, 2);
   EXPECT_EQ(component.cancelled, 0) << "the first try was withdrawn";
   EXPECT_EQ(result.outcome, ExecutePlanResult::STEP_TIMED_OUT) << result.reason;
-  ros::param::del("/plan_executor/cancel_patience");
+  ros::param::del("/plan_executor/cancel_timeout");
 }
 
 TEST_F(Steps, dispatchedThatAreTakenUpTooLateAreNotDoneTwice) {
   FakeComponent component(node_);
   ASSERT_TRUE(eventually([&] { return component.isConnected(); }));
   component.is_slow = true;
-  setMapping("default: {kind: dispatch, retries: 3, server_patience: 0.5}");
-  ros::param::set("/plan_executor/cancel_patience", 60.0);
+  setMapping("default: {kind: dispatch, retries: 3, server_timeout: 0.5}");
+  ros::param::set("/plan_executor/cancel_timeout", 60.0);
   EXPECT_EQ(run(planOf({{"wash", {}}})).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
   EXPECT_EQ(component.dispatched, 1);
-  ros::param::del("/plan_executor/cancel_patience");
+  ros::param::del("/plan_executor/cancel_timeout");
 }
 
 TEST_F(Steps, dispatchedNameStatusesThatNobodyKnows) {
   FakeComponent component(node_);
   ASSERT_TRUE(eventually([&] { return component.isConnected(); }));
   component.status = 42;
-  setMapping("default: {kind: dispatch, server_patience: 20}");
+  setMapping("default: {kind: dispatch, server_timeout: 20}");
   expectFailure(run(planOf({{"wash", {}}})), ExecutePlanResult::STEP_FAILED, "the status 42");
 }
 

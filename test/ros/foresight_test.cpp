@@ -44,7 +44,7 @@ class Foresight : public Scenario, protected PlanRuns {
     Scenario::SetUp();
     ros::param::set("/plan_executor/robot_domain", file("domain"));
     ros::param::set("/plan_executor/robot_problem", file("problem"));
-    ros::param::set("/plan_executor/facts_patience", 0.3);
+    ros::param::set("/plan_executor/facts_timeout", 0.3);
     setMapping("default: {kind: simulated, duration: 0}");
   }
 
@@ -180,7 +180,7 @@ rules:
   domain.replace(domain.find("(and (at ?to)"), 13, "(and (not (lid-on)) (at ?to)");
   writeText(file("domain"), domain);
   const Parameter rules("tf_facts", file("rules.yaml"));
-  const Parameter patience("tf_patience", kPatience);
+  const Parameter patience("tf_timeout", kPatience);
   ASSERT_TRUE(eventually([] { return reachesUs("/plan_executor", "/rosout"); }));
   const ExecutePlanResult result = run(alignedPlan());
   EXPECT_EQ(result.outcome, ExecutePlanResult::SUCCESS) << result.reason;
@@ -205,7 +205,7 @@ rules:
   - {fact: (baked bread), when: baker in oven, max_age: 60}
 )");
   const Parameter rules("tf_facts", file("rules.yaml"));
-  const Parameter patience("tf_patience", kPatience);
+  const Parameter patience("tf_timeout", kPatience);
   ros::param::set("/plan_executor/max_replans", 0);
   const ExecutePlanResult result = run(alignedPlan());
   ros::param::del("/plan_executor/max_replans");

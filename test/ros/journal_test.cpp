@@ -134,9 +134,9 @@ TEST_F(JournalScenario, aCanceledDialogueThatIsSentAgainAsksNothingTwice) {
 }
 
 TEST_F(JournalScenario, whatWasAssumedIsNoAnswer) {
-  ros::param::set("/goal_alignment/hidden_wanted", std::vector<std::string>{"room"});
+  ros::param::set("/goal_alignment/assumed_wanted_predicates", std::vector<std::string>{"room"});
   const auto [first, second] = abort(sweepBothRooms());
-  ros::param::del("/goal_alignment/hidden_wanted");
+  ros::param::del("/goal_alignment/assumed_wanted_predicates");
   ASSERT_EQ(entries(), 1U);
   const std::string text = textOf(journalFiles(".json").front());
   EXPECT_NE(text.find("(quiet "), std::string::npos) << text;

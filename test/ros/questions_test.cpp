@@ -203,7 +203,7 @@ TEST_F(Questions, theGoalsGroupSizeCountsMoreThanTheParameter) {
 }
 
 TEST_F(Questions, nobodyIsAskedAboutHiddenPredicatesAndTheResultSaysSo) {
-  const Parameter hidden("hidden_not_wanted", Texts{"QUIET"});
+  const Parameter hidden("assumed_unwanted_predicates", Texts{"QUIET"});
   align_.sendGoal(sweepHall());
   const AlignResult result = expectEnd(AlignResult::SUCCESS);
   EXPECT_EQ(result.questions, 0U);
@@ -219,7 +219,7 @@ TEST_F(Questions, nobodyIsAskedAboutHiddenPredicatesAndTheResultSaysSo) {
 }
 
 TEST_F(Questions, whatIsHiddenMayStillBeSaid) {
-  const Parameter hidden("hidden_wanted", Texts{"quiet"});
+  const Parameter hidden("assumed_wanted_predicates", Texts{"quiet"});
   align_.sendGoal(sweepHall());
   const AlignResult blocked = expectEnd(AlignResult::UNSURE_BLOCKS);
   EXPECT_EQ(blocked.questions, 0U);
@@ -235,7 +235,7 @@ TEST_F(Questions, whatIsHiddenMayStillBeSaid) {
 }
 
 TEST_F(Questions, aHiddenPredicateThatNoCandidateHasIsToldOf) {
-  const Parameter hidden("hidden_wanted", Texts{"quite"});
+  const Parameter hidden("assumed_wanted_predicates", Texts{"quite"});
   EXPECT_TRUE(answer(kNo, sendAndAwaitQuestion(sweepHall()).question_id).accepted);
   EXPECT_TRUE(tells("quite"));
   expectEnd(AlignResult::SUCCESS);

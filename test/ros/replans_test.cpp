@@ -55,7 +55,7 @@ class Replans : public Scenario, protected PlanRuns {
     ros::param::set("/plan_executor/robot_domain", model("errand_robot_domain.pddl"));
     ros::param::set("/plan_executor/robot_problem", model("errand.pddl"));
     ros::param::set("/plan_executor/max_replans", 3);
-    ros::param::set("/plan_executor/facts_patience", 0.2);
+    ros::param::set("/plan_executor/facts_timeout", 0.2);
   }
 
   /// The plan, after it was answered that quiet does not matter.

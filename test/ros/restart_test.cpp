@@ -13,7 +13,7 @@ class Restart : public OwnAligner, protected PlanRuns {
 
   void SetUp() override {
     OwnAligner::SetUp();
-    ros::param::set("/plan_executor/facts_patience", 0.3);
+    ros::param::set("/plan_executor/facts_timeout", 0.3);
   }
 
   /// With models from the parameters, so that the task begins where the robot is.
@@ -84,7 +84,7 @@ TEST_F(Restart, leavesNobodyToPlanAnew) {
   ASSERT_TRUE(eventually([&] { return component.getNumSubscribers() > 1; })) << "it and we";
   setMapping(
       "default: {kind: simulated, duration: 0}\n"
-      "actions: {deliver: {kind: dispatch, timeout: 0, server_patience: 60}}");
+      "actions: {deliver: {kind: dispatch, timeout: 0, server_timeout: 60}}");
   const AlignResult aligned = overTheLawn();
   ASSERT_EQ(aligned.outcome, AlignResult::SUCCESS) << aligned.message;
   send(aligned.plan);

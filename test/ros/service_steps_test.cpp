@@ -63,7 +63,7 @@ class FakeServices {
 const char* const kServices = R"(
 actions:
   open: {kind: service, name: "/door/{door}/open", type: std_srvs/SetBool, request: {data: true},
-         success_field: success, server_patience: 0.3}
+         success_field: success, server_timeout: 0.3}
   wait: {kind: service, name: /slow, type: std_srvs/Trigger}
   hurry: {kind: service, name: /slow, type: std_srvs/Trigger, timeout: 0.5, retries: 2}
   ask: {kind: service, name: /ask, type: goal_alignment/AskHuman, success_field: {answered_by: "{who}"},
@@ -96,11 +96,11 @@ TEST_F(Steps, failWhereAServiceSaysSo) {
 TEST_F(Steps, abandonAServiceThatDoesNotAnswer) {
   FakeServices services(node_);
   setMapping(kServices);
-  ros::param::set("/plan_executor/cancel_patience", 0.2);
+  ros::param::set("/plan_executor/cancel_timeout", 0.2);
   expectFailure(run(planOf({{"hurry", {}}})), ExecutePlanResult::STEP_TIMED_OUT,
                 "it is not tried again, since that try is not over");
   EXPECT_EQ(services.waiting, 1);
-  ros::param::del("/plan_executor/cancel_patience");
+  ros::param::del("/plan_executor/cancel_timeout");
   const Plan plan = planOf({{"wait", {}}});
   cancelWhileItRuns(plan, [&] { return dispatched(plan, 0); });
   services.released = true;
@@ -109,14 +109,14 @@ TEST_F(Steps, abandonAServiceThatDoesNotAnswer) {
 TEST_F(Steps, believeAServiceThatAnswersBeforeItWouldBeTriedAgain) {
   FakeServices services(node_);
   setMapping(kServices);
-  ros::param::set("/plan_executor/cancel_patience", 60.0);
+  ros::param::set("/plan_executor/cancel_timeout", 60.0);
   send(planOf({{"hurry", {}}}));
   ASSERT_TRUE(eventually([&] { return services.waiting == 1; }));
   ros::WallDuration(1).sleep();  // its time is over by then; if it is not, it succeeds all the same
   services.released = true;
   EXPECT_EQ(awaitEnd().outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
   EXPECT_EQ(services.waiting, 1);
-  ros::param::del("/plan_executor/cancel_patience");
+  ros::param::del("/plan_executor/cancel_timeout");
 }
 
 TEST_F(Steps, areRefusedWhereAServiceCanNotHaveItsName) {

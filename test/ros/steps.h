@@ -16,7 +16,7 @@ class Steps : public testing::Test, protected PlanRuns {
   Steps() : PlanRuns(ros::NodeHandle{}) {}
 
   // On a loaded machine links take their time; what is to be missed has less patience of its own.
-  void SetUp() override { ros::param::set("/plan_executor/servers_patience", kPatience); }
+  void SetUp() override { ros::param::set("/plan_executor/servers_timeout", kPatience); }
 
   void expectFailure(const ExecutePlanResult& result, int outcome, const std::string& reason) {
     EXPECT_EQ(execute_.getState(), actionlib::SimpleClientGoalState::ABORTED);

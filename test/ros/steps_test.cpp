@@ -114,7 +114,7 @@ TEST_F(Steps, areTriedAgainAsOftenAsTheMappingSays) {
 TEST_F(Steps, ofAnActionServerAreCancelledAfterTheirTime) {
   FakeBase base(node_);
   base.mood = FakeBase::Mood::Wait;
-  setMapping(std::string(kGo) + "    timeout: 0.5\n    server_patience: 20\n");
+  setMapping(std::string(kGo) + "    timeout: 0.5\n    server_timeout: 20\n");
   // The server itself may be found late, which is part of the time.
   ASSERT_TRUE(eventually([&] {
     run(planOf({kGoToKitchen}));
@@ -147,10 +147,10 @@ TEST_F(Steps, followAMappingWhoseTypeIsCorrected) {
   FakeBase base(node_);
   setMapping(
       "actions: {go: {kind: action, name: move_base, type: goal_alignment/ExecutePlan, "
-      "server_patience: 0.5}}");
+      "server_timeout: 0.5}}");
   expectFailure(run(planOf({kGoToKitchen})), ExecutePlanResult::STEP_FAILED,
                 "nobody offers the action move_base");
-  setMapping(std::string(kGo) + "    server_patience: 20\n");
+  setMapping(std::string(kGo) + "    server_timeout: 20\n");
   EXPECT_EQ(run(planOf({kGoToKitchen})).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
 }
 
@@ -163,19 +163,19 @@ TEST_F(Steps, ofAnActionServerAreCancelledWithThePlan) {
 }
 
 TEST_F(Steps, thatDoNotStopWhenCancelledAreLeft) {
-  ros::param::set("/plan_executor/cancel_patience", 0.2);
+  ros::param::set("/plan_executor/cancel_timeout", 0.2);
   FakeBase base(node_);
   base.mood = FakeBase::Mood::IgnoreCancel;
   setMapping(kGo);
   cancelWhileItRuns(planOf({kGoToKitchen}), [&] { return base.goals().size() == 1; });
   EXPECT_NE(awaitEnd().reason.find("did not end when it was canceled"), std::string::npos);
-  ros::param::del("/plan_executor/cancel_patience");
+  ros::param::del("/plan_executor/cancel_timeout");
 }
 
 TEST_F(Steps, areNotBegunWithoutAServer) {
   std::string mapping = kGo;
   mapping.replace(mapping.find("name: move_base"), 15, "name: nowhere");
-  setMapping(mapping + "    server_patience: 0.2\n");
+  setMapping(mapping + "    server_timeout: 0.2\n");
   expectFailure(run(planOf({kGoToKitchen})), ExecutePlanResult::STEP_FAILED,
                 "nobody offers the action nowhere");
 }
@@ -183,9 +183,9 @@ TEST_F(Steps, areNotBegunWithoutAServer) {
 TEST_F(Steps, areNotBegunWhereALaterOneHasNoServer) {
   FakeBase base(node_);
   setMapping(std::string(kGo) + R"yaml(
-  grasp: {kind: action, name: /move_bsae, type: move_base_msgs/MoveBase, server_patience: 0.3,
+  grasp: {kind: action, name: /move_bsae, type: move_base_msgs/MoveBase, server_timeout: 0.3,
           failure_facts: ["(not (has {what}))"]}
-  open: {kind: service, name: /plan_executor/get_logers, type: std_srvs/Trigger, server_patience: 0.3}
+  open: {kind: service, name: /plan_executor/get_logers, type: std_srvs/Trigger, server_timeout: 0.3}
 )yaml");
   const Plan plan = planOf({kGoToKitchen, {"grasp", {{"what", "cup"}}}, {"open", {}}});
   const ExecutePlanResult result = run(plan);
@@ -205,7 +205,7 @@ TEST_F(Steps, areNotBegunWhereALaterOneHasNoServer) {
 }
 
 TEST_F(Steps, thatDoNotStopWhenCancelledAreNotTriedAgain) {
-  ros::param::set("/plan_executor/cancel_patience", 0.2);
+  ros::param::set("/plan_executor/cancel_timeout", 0.2);
   FakeBase base(node_);
   setMapping(kGo);
   ASSERT_EQ(run(planOf({kGoToKitchen})).outcome, ExecutePlanResult::SUCCESS) << "now it is found";
@@ -214,7 +214,7 @@ TEST_F(Steps, thatDoNotStopWhenCancelledAreNotTriedAgain) {
   expectFailure(run(planOf({kGoToKitchen})), ExecutePlanResult::STEP_TIMED_OUT,
                 "it is not tried again, since that try is not over");
   EXPECT_EQ(base.goals().size(), 2U);
-  ros::param::del("/plan_executor/cancel_patience");
+  ros::param::del("/plan_executor/cancel_timeout");
 }
 
 // The server is a simulated_executor: its goal has lists of messages within messages.
@@ -226,7 +226,7 @@ actions:
     type: goal_alignment/ExecutePlan
     goal: {plan: {plan_id: 7, steps: [{name: "{task}", plan_id: 7, parameters: [{key: who, value: "{who}"}]}]}}
     success_field: {outcome: 1, failed_step: -1}
-    server_patience: 1
+    server_timeout: 1
 )";
 
 class OwnServer : public Steps {
@@ -248,7 +248,7 @@ class OwnServer : public Steps {
 TEST_F(OwnServer, isGivenNestedListsAndItsResultIsLookedAt) {
   startServer("0.0");
   std::string mapping = kDelegate;
-  mapping.replace(mapping.find("server_patience: 1"), 18, "server_patience: 20");
+  mapping.replace(mapping.find("server_timeout: 1"), 18, "server_timeout: 20");
   setMapping(mapping);
   EXPECT_EQ(run(plan_).outcome, ExecutePlanResult::SUCCESS) << awaitEnd().reason;
   const auto step =

@@ -115,7 +115,7 @@ class TfFacts : public Scenario {
   Frames frames_;
   const Parameter rules_{"tf_facts", file()};
   // A loaded machine may keep a transform waiting; what is to be missed is missed sooner.
-  std::optional<Parameter> patience_{std::in_place, "tf_patience", kPatience};
+  std::optional<Parameter> patience_{std::in_place, "tf_timeout", kPatience};
   const Parameter period_{"tf_period", 0.05};
 };
 
@@ -157,7 +157,7 @@ TEST_F(TfFacts, areAwaitedWhenAGoalBegins) {
 }
 
 TEST_F(TfFacts, endAGoalWithTheFrameThatIsMissing) {
-  patience_.emplace("tf_patience", 0.3);
+  patience_.emplace("tf_timeout", 0.3);
   const AlignResult result = align(sweepTheHall(), AlignResult::STATE_UNKNOWN);
   EXPECT_EQ(align_.getState(), actionlib::SimpleClientGoalState::ABORTED);
   expectSays(result.message, {"(at robot hall)", "frame " + robot_, "in map", "does not exist"});
@@ -169,13 +169,13 @@ TEST_F(TfFacts, endAGoalWithTheFrameThatIsMissing) {
   EXPECT_FALSE(isSo("(at robot hall)"));
   expectSays(told.message, {robot_});
 
-  patience_.emplace("tf_patience", kPatience);
+  patience_.emplace("tf_timeout", kPatience);
   frames_.place(robot_, kHall);
   resume(result, AlignResult::SUCCESS);
 }
 
 TEST_F(TfFacts, endAGoalWithTheAgeOfWhatIsOld) {
-  patience_.emplace("tf_patience", 0.3);
+  patience_.emplace("tf_timeout", 0.3);
   const ros::Time old = ros::Time::now() - ros::Duration(5);
   std::string message;
   // The first goal may end before tf is heard at all.
@@ -188,7 +188,7 @@ TEST_F(TfFacts, endAGoalWithTheAgeOfWhatIsOld) {
 }
 
 TEST_F(TfFacts, endAGoalOfARobotThatIsInNoneOfTheRegions) {
-  patience_.emplace("tf_patience", 0.3);
+  patience_.emplace("tf_timeout", 0.3);
   frames_.place(robot_, 11);
   std::string message;
   EXPECT_TRUE(eventually([&] {
@@ -199,7 +199,7 @@ TEST_F(TfFacts, endAGoalOfARobotThatIsInNoneOfTheRegions) {
 }
 
 TEST_F(TfFacts, endAGoalWhoseFramesArePulledAwayAndGoOnWhenTheyAreBack) {
-  patience_.emplace("tf_patience", 3.0);  // longer than a loaded machine stands still
+  patience_.emplace("tf_timeout", 3.0);  // longer than a loaded machine stands still
   frames_.place(robot_, kHall);
   const Question before = sendAndAwaitQuestion(sweepLoudly());
   frames_.pullAway(robot_);
@@ -207,7 +207,7 @@ TEST_F(TfFacts, endAGoalWhoseFramesArePulledAwayAndGoOnWhenTheyAreBack) {
   expectSays(result.message, {"(at robot hall)", "frame " + robot_, "was last known", "s ago"});
   EXPECT_TRUE(questionIsClosed());
 
-  patience_.emplace("tf_patience", kPatience);
+  patience_.emplace("tf_timeout", kPatience);
   frames_.place(robot_, kKitchen);
   AlignGoal goal;
   goal.continue_session = result.session_id;
@@ -357,14 +357,14 @@ class TfFactsInSimulatedTime : public TfFacts {};
 // The clock stands still at 1000 s, and so do the ages.
 TEST_F(TfFactsInSimulatedTime, areAsOldAsTheClockSays) {
   EXPECT_TRUE(eventually([] { return ros::Time::now() == ros::Time(1000); }));
-  patience_.emplace("tf_patience", 0.3);
+  patience_.emplace("tf_timeout", 0.3);
   std::string message;
   EXPECT_TRUE(eventually([&] {
     frames_.tellOnce(robot_, kHall, ros::Time(940));
     message = align(sweepTheHall(), AlignResult::STATE_UNKNOWN).message;
     return message.find("was last known 60.0 s ago, more than 2 s") != std::string::npos;
   })) << message;
-  patience_.emplace("tf_patience", kPatience);
+  patience_.emplace("tf_timeout", kPatience);
   frames_.place(robot_, kKitchen);
   EXPECT_EQ(align(sweepTheHall(), AlignResult::SUCCESS).plan.steps.size(), 2U);
   EXPECT_TRUE(isSo("(at robot kitchen)"));

@@ -51,8 +51,7 @@ struct NodeOptions {
   std::string world;  ///< kept facts hold in the world of this name alone
 
   std::string tf_facts;  ///< YAML file: facts from where things are; "": none
-  double tf_patience =
-      2;  ///< seconds of wall time, 0 … 3600: for so long unknown facts are awaited
+  double tf_timeout = 2;  ///< seconds of wall time, 0 … 3600: for so long unknown facts are awaited
   double tf_period = 0.2;  ///< seconds of wall time, 0.01 … 60: how often tf is looked at meanwhile
 
   double diagnostic_period = 1;  ///< seconds of wall time, 0.01 … 3600; read at the start alone
@@ -61,7 +60,7 @@ struct NodeOptions {
   /// The tf frames of objects, for markers; that of another object has its name.
   std::map<std::string, std::string> marker_frames;
 
-  std::vector<std::string> unknown;  ///< private parameters that nobody reads
+  std::vector<std::string> warnings;  ///< unknown and renamed parameters, a sentence each
 
   NodeOptions();
 

@@ -36,8 +36,8 @@ class ActionClient {
 
   /// How long things may take, in seconds, and the end of the whole.
   struct Limits {
-    double patience = 0;         ///< until the server is there, or is lost; at least 0.5
-    double cancel_patience = 0;  ///< until a cancelled goal has ended
+    double patience = 0;        ///< until the server is there, or is lost; at least 0.5
+    double cancel_timeout = 0;  ///< until a cancelled goal has ended
     TimeLimit end;
   };
 

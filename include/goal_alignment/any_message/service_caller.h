@@ -41,8 +41,8 @@ class ServiceCaller {
 
   /// How long things may take, in seconds, and the end of the whole.
   struct Limits {
-    double patience = 0;         ///< for which the service may be absent
-    double cancel_patience = 0;  ///< behind the end, in which an answer still counts
+    double patience = 0;        ///< for which the service may be absent
+    double cancel_timeout = 0;  ///< behind the end, in which an answer still counts
     TimeLimit end;
   };
 

@@ -21,8 +21,8 @@ struct AlignmentWords {
   int group = 1;
   std::string unsure_policy = "as-yes";
   bool negative_candidates = false;
-  std::vector<std::string> hidden_wanted;
-  std::vector<std::string> hidden_not_wanted;
+  std::vector<std::string> assumed_wanted;
+  std::vector<std::string> assumed_unwanted;
   double max_extra_cost = std::numeric_limits<double>::infinity();
   bool costs = false;
   bool no_static = false;

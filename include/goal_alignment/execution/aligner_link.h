@@ -39,7 +39,7 @@ class AlignerLink {
   std::string life() const;
 
   /// A new plan under the session's answers; people may be asked. Nothing: `why_not` says why.
-  std::optional<AlignResult> replan(const std::string& session_id, double cancel_patience,
+  std::optional<AlignResult> replan(const std::string& session_id, double cancel_timeout,
                                     std::string& why_not);
 
   /// The parameter of the aligner; "" where it has none.

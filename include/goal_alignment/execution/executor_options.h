@@ -20,13 +20,13 @@ struct ExecutorOptions {
   bool watch = true;                       ///< check preconditions, tell effects, ask for new plans
   std::string robot_domain;                ///< "": those of the aligner's parameters
   std::string robot_problem;
-  double facts_patience = 2;  ///< seconds, 0 … 3600, for which a condition may be false or unknown
-  int max_replans = 3;        ///< 0 … 1000 for a goal
-  double cancel_patience = 5;  ///< seconds, 0 … 3600, that a cancelled step may take to stop
+  double facts_timeout = 2;  ///< seconds, 0 … 3600, for which a condition may be false or unknown
+  int max_replans = 3;       ///< 0 … 1000 for a goal
+  double cancel_timeout = 5;  ///< seconds, 0 … 3600, that a cancelled step may take to stop
   any_message::ClockKind clock =
       any_message::ClockKind::Wall;  ///< of time-outs and durations of steps
   double diagnostic_period = 1;  ///< seconds of wall time, 0.01 … 3600; read at the start alone
-  double servers_patience = 3;  ///< seconds, 0 … 3600, for which all that steps need may be missing
+  double servers_timeout = 3;  ///< seconds, 0 … 3600, for which all that steps need may be missing
 
   // Of simulated steps.
   double step_duration = 0.5;      ///< seconds, 0 … 3600, of steps whose rule says nothing
@@ -35,7 +35,7 @@ struct ExecutorOptions {
   int seed = 0;                    ///< 0 … 2^31-1; the same seed, the same failures
   double frame_rate = 20;          ///< Hz, 1 … 200, at which frames are broadcast
 
-  std::vector<std::string> unknown;  ///< private parameters that nobody reads
+  std::vector<std::string> warnings;  ///< unknown and renamed parameters, a sentence each
 
   /// Both throw ros_common::ParameterError, which names key and namespace.
   static ExecutorOptions read(const ros::NodeHandle& private_node);

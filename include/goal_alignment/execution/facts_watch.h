@@ -50,7 +50,7 @@ class FactsWatch {
   const pddl::Model* model() const { return watch_ ? &watch_->model() : nullptr; }
 
   /// Before the plan's step of that index. What tf tells may be a moment behind, so that only what
-  /// stays so for facts_patience stops the plan.
+  /// stays so for facts_timeout stops the plan.
   Look beforeStep(const Plan& plan, std::size_t index);
   Look atTheEnd(const Plan& plan);
 

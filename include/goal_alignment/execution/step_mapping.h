@@ -43,9 +43,9 @@ struct StepRule {
   /// Fields of the result or the response, and what each must be for the step to have succeeded.
   std::vector<std::pair<std::string, YAML::Node>> success;
 
-  double timeout = 300;         ///< seconds for one try, 0 … 86400; 0: for ever
-  int retries = 0;              ///< further tries after a failure, 0 … 1000
-  double server_patience = 10;  ///< seconds, 0 … 86400, until the server must be there, or is lost
+  double timeout = 300;        ///< seconds for one try, 0 … 86400; 0: for ever
+  int retries = 0;             ///< further tries after a failure, 0 … 1000
+  double server_timeout = 10;  ///< seconds, 0 … 86400, until the server must be there, or is lost
   bool stop_on_failure = false;               ///< no new plan is asked for
   std::vector<YAML::Node> failure_facts;      ///< literals: what the robot knows when it failed
   std::optional<double> duration;             ///< seconds that it takes, 0 … 3600
@@ -68,6 +68,7 @@ struct StepMapping {
   std::map<std::string, StepRule> rules;  ///< by action, lower case
   std::optional<StepRule> fallback;       ///< of actions that have none
   std::vector<InitialFrame> frames;
+  std::vector<std::string> warnings;   ///< of keys under their former names, a sentence each
   std::map<GroundName, int> failures;  ///< simulated: how many tries fail, or StepRule::kAlways
 
   /// Null: nothing is said of it.

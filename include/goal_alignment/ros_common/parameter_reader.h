@@ -40,8 +40,13 @@ class ParameterReader {
   std::size_t readChoice(const std::string& key, const std::vector<std::string>& words,
                          std::size_t value);
 
-  /// Keys that are there and were not asked for; namespaces below this one are not looked at.
-  std::vector<std::string> unknown() const;
+  /// A value that stands under the key's former name, and not under its new one, counts for the
+  /// new one. Before the key is read.
+  void renamed(const std::string& former, const std::string& key);
+
+  /// What the reader would tell the user, one sentence each: keys under their former names, and
+  /// keys that were not asked for; namespaces below this one are not looked at.
+  std::vector<std::string> warnings() const;
 
   [[noreturn]] void refuse(const std::string& key, const std::string& expected) const;
 
@@ -55,6 +60,8 @@ class ParameterReader {
   XmlRpc::XmlRpcValue values_;
   std::string namespace_;
   std::set<std::string> known_;
+  std::map<std::string, std::string> given_as_;  // by key: the former name that its value has
+  std::vector<std::string> renamed_;             // warnings
 };
 
 }  // namespace goal_alignment::ros_common

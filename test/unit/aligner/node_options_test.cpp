@@ -40,7 +40,7 @@ TEST(NodeOptions, defaultsWhereNothingIsSet) {
   EXPECT_EQ(options.session.max_extra_cost, std::numeric_limits<double>::infinity());
   EXPECT_EQ(options.ask_timeout, 0);
   EXPECT_TRUE(options.robot_domain.empty());
-  EXPECT_TRUE(options.unknown.empty());
+  EXPECT_TRUE(options.warnings.empty());
 }
 
 TEST(NodeOptions, valuesAreTakenOver) {
@@ -83,8 +83,8 @@ TEST(NodeOptions, whatIsAskedAboutIsTakenOver) {
   XmlRpcValue values;
   values["max_group_size"] = 255;
   values["negative_candidates"] = true;
-  values["hidden_wanted"] = listOf({"Robot-At", "dusty"});
-  values["hidden_not_wanted"] = listOf({});
+  values["assumed_wanted_predicates"] = listOf({"Robot-At", "dusty"});
+  values["assumed_unwanted_predicates"] = listOf({});
   values["max_extra_cost"] = 0;
   NodeOptions options = read(values);
   EXPECT_EQ(options.session.max_group_size, 255U);
@@ -108,18 +108,19 @@ TEST(NodeOptions, whatIsAskedAboutHasItsRange) {
             "parameter /robot/aligner/max_extra_cost: expected 0 or more, or -1");
   EXPECT_NE(faultOf("max_extra_cost", -2), "");
   EXPECT_NE(faultOf("max_extra_cost", 2e9), "");
-  EXPECT_EQ(
-      faultOf("hidden_wanted", "dusty"),
-      "parameter /robot/aligner/hidden_wanted: expected a list of names, not the text 'dusty'");
-  EXPECT_EQ(faultOf("hidden_not_wanted", listOf({"ok", "(dusty)"})),
-            "parameter /robot/aligner/hidden_not_wanted: expected a list of names, not '(dusty)'");
-  EXPECT_NE(faultOf("hidden_wanted", listOf({""})), "");
+  EXPECT_EQ(faultOf("assumed_wanted_predicates", "dusty"),
+            "parameter /robot/aligner/assumed_wanted_predicates: expected a list of names, not the "
+            "text 'dusty'");
+  EXPECT_EQ(faultOf("assumed_unwanted_predicates", listOf({"ok", "(dusty)"})),
+            "parameter /robot/aligner/assumed_unwanted_predicates: expected a list of names, not "
+            "'(dusty)'");
+  EXPECT_NE(faultOf("assumed_wanted_predicates", listOf({""})), "");
 }
 
 TEST(NodeOptions, aPredicateCantBeAssumedBothWays) {
   XmlRpcValue values;
-  values["hidden_wanted"] = listOf({"dusty"});
-  values["hidden_not_wanted"] = listOf({"at", "Dusty"});
+  values["assumed_wanted_predicates"] = listOf({"dusty"});
+  values["assumed_unwanted_predicates"] = listOf({"at", "Dusty"});
   EXPECT_THROW(read(values), ros_common::ParameterError);
 }
 
@@ -153,14 +154,14 @@ TEST(NodeOptions, numbersAreReadInEverySpelling) {
   values["seed"] = "2e2";
   values["max_questions"] = "-1";
   values["beta"] = "1.5E-1";
-  values["tf_patience"] = "+3";
+  values["tf_timeout"] = "+3";
   const NodeOptions options = read(values);
   EXPECT_EQ(options.session.time_limit, 1000);
   EXPECT_EQ(options.session.memory_limit, std::size_t{2048} << 20U);
   EXPECT_EQ(options.session.seed, 200U);
   EXPECT_EQ(options.session.max_questions, -1);
   EXPECT_EQ(options.session.belief.beta, 0.15);
-  EXPECT_EQ(options.tf_patience, 3);
+  EXPECT_EQ(options.tf_timeout, 3);
 }
 
 TEST(NodeOptions, whatIsNoNumberIsRefusedByWhatItIs) {
@@ -195,7 +196,28 @@ TEST(NodeOptions, unknownKeysAreListedButNamespacesAreNot) {
   XmlRpcValue values;
   values["polcy"] = "auto";
   values["align"]["status_frequency"] = 5.0;
-  EXPECT_EQ(read(values).unknown, std::vector<std::string>{"polcy"});
+  EXPECT_EQ(read(values).warnings,
+            std::vector<std::string>{"unknown parameter /robot/aligner/polcy"});
+}
+
+TEST(NodeOptions, formerNamesOfParametersStillCount) {
+  XmlRpcValue values;
+  values["tf_patience"] = 7.0;
+  values["hidden_wanted"] = listOf({"dusty"});
+  values["hidden_not_wanted"] = listOf({"dark"});
+  values["assumed_unwanted_predicates"] = listOf({"light"});
+  const NodeOptions options = read(values);
+  EXPECT_EQ(options.tf_timeout, 7);
+  EXPECT_EQ(options.session.hidden_wanted, std::vector<std::string>{"dusty"});
+  EXPECT_EQ(options.session.hidden_not_wanted, std::vector<std::string>{"light"})
+      << "the new name counts where both are given";
+  ASSERT_EQ(options.warnings.size(), 3U);
+  EXPECT_EQ(
+      options.warnings.back(),
+      "parameter /robot/aligner/tf_patience is now called /robot/aligner/tf_timeout; the name "
+      "tf_patience will be removed in the next release");
+  EXPECT_EQ(faultOf("tf_patience", -1),
+            "parameter /robot/aligner/tf_patience: expected a number from 0 to 3600, not -1");
 }
 
 }  // namespace

@@ -4,10 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-
-#include "goal_alignment/pddl/exceptions.h"
-#include "measure/svg_plot.h"
 
 namespace goal_alignment::benchmarks {
 namespace {
@@ -46,21 +42,6 @@ TEST(Report, saysTheHeadlineAndTheGrowth) {
   EXPECT_NE(text.find("**0.0 %** (0 of 3)"), std::string::npos) << text;
   EXPECT_NE(text.find("| first | crates | operators | ×4 | ×4 | 1.00 |"), std::string::npos)
       << text;
-}
-
-TEST(Plots, areWrittenWhereThereIsAPoint) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "plots";
-  writePlots({call("solved", 10, 1)}, folder.string());
-  EXPECT_TRUE(std::filesystem::exists(folder / "calls_first_operators.svg"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "calls_optimal_operators.svg"));
-  std::filesystem::remove_all(folder);
-}
-
-TEST(SvgPlot, placesPowersOfTenAtEvenDistances) {
-  const std::string text =
-      svg({"a < b", "x", "y", {{"one", {{1, 1}, {10, 10}, {100, 100}, {0, 5}}}}});
-  EXPECT_NE(text.find("a &lt; b"), std::string::npos);
-  EXPECT_NE(text.find("points=\"80.0,380.0 310.0,210.0 540.0,40.0\""), std::string::npos) << text;
 }
 
 }  // namespace

@@ -265,10 +265,22 @@ TEST(Bench, TakesTheOptionsOfAlign) {
   EXPECT_GE(grouped["questions_mean"], 3.0);
   EXPECT_GT(row({"--negative-candidates"})["candidates"], 6);
   // Assumed to be wanted, so held a is in the way by itself: one YES.
-  EXPECT_EQ(row({"--hidden-wanted", "free"})["minimum_mean"], 1.0);
+  EXPECT_EQ(row({"--assumed-wanted", "free"})["minimum_mean"], 1.0);
   // Assumed not to be, so that conflict is hit: held b and down a are left.
-  EXPECT_EQ(row({"--hidden-not-wanted", "free"})["minimum_mean"], 2.0);
+  EXPECT_EQ(row({"--assumed-unwanted", "free"})["minimum_mean"], 2.0);
   EXPECT_EQ(row({"--conflicts", "lazy"})["minimum_mean"], 3.0);
+}
+
+TEST(Bench, TakesFormerNamesOfOptionsAndWarns) {
+  const Folder root;
+  writeDesk(root, "(down b)\n(held a)\n", "desk/");
+  const Ended ended =
+      bench(root, {"--hidden-not-wanted", "free", "--truth", "own", "--runs", "1", "--json"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_EQ(ended.json()[0]["minimum_mean"], 2.0);
+  EXPECT_NE(ended.err.find("--hidden-not-wanted is now called --assumed-unwanted"),
+            std::string::npos)
+      << ended.err;
 }
 
 // The first YES decides, but the person has looked at the whole list.

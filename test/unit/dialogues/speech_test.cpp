@@ -70,11 +70,11 @@ TEST(SpeechOptions, faultsNameKeyAndNamespace) {
   EXPECT_NE(faultOf("vocabulary", 3), "");
 }
 
-TEST(SpeechOptions, knowWhatNobodyReads) {
+TEST(SpeechOptions, warnOfUnknownParameters) {
   XmlRpcValue values;
   values["reply_timout"] = 3.0;
-  EXPECT_EQ(SpeechOptions::read(values, "/speech").unknown,
-            std::vector<std::string>{"reply_timout"});
+  EXPECT_EQ(SpeechOptions::read(values, "/speech").warnings,
+            std::vector<std::string>{"unknown parameter /speech/reply_timout"});
 }
 
 bool eventuallyEnds(SpeechProcess& process) {

@@ -39,10 +39,23 @@ TEST(ExecutorOptions, nameTheKeyThatIsWrong) {
   }
 }
 
-TEST(ExecutorOptions, knowWhatNobodyReads) {
+TEST(ExecutorOptions, warnOfUnknownParameters) {
   XmlRpc::XmlRpcValue values;
   values["step_duraton"] = 1;
-  EXPECT_EQ(ExecutorOptions::read(values, "/e").unknown, std::vector<std::string>{"step_duraton"});
+  EXPECT_EQ(ExecutorOptions::read(values, "/e").warnings,
+            std::vector<std::string>{"unknown parameter /e/step_duraton"});
+}
+
+TEST(ExecutorOptions, formerNamesOfParametersStillCount) {
+  XmlRpc::XmlRpcValue values;
+  values["facts_patience"] = 7.0;
+  values["cancel_patience"] = 8.0;
+  values["servers_patience"] = 9.0;
+  const ExecutorOptions options = ExecutorOptions::read(values, "/e");
+  EXPECT_EQ(options.facts_timeout, 7);
+  EXPECT_EQ(options.cancel_timeout, 8);
+  EXPECT_EQ(options.servers_timeout, 9);
+  EXPECT_EQ(options.warnings.size(), 3U);
 }
 
 }  // namespace

@@ -71,6 +71,16 @@ actions: {a: {name: /a}, b: {request: {door: front}}, c: {}}
   EXPECT_EQ(mapping.find("c")->fields["door"].Scalar(), "{0}");
 }
 
+TEST_F(Mapping, takesTheFormerNameOfServerTimeoutAndWarns) {
+  const StepMapping mapping = read("actions:\n  go: {kind: dispatch, server_patience: 7}\n");
+  EXPECT_EQ(mapping.find("go")->server_timeout, 7);
+  EXPECT_EQ(mapping.warnings, std::vector<std::string>{
+                                  "m.yaml:2:41: server_patience is now called server_timeout; the "
+                                  "name server_patience will be removed in the next release"});
+  EXPECT_EQ(fault("actions: {go: {kind: simulated, server_patience: 7}}").substr(0, 33),
+            "m.yaml:1:33: unknown key 'server_");
+}
+
 TEST_F(Mapping, saysWhereItsFaultIs) {
   EXPECT_EQ(fault("actions:\n  go: {kind: fly}"),
             "m.yaml:2:14: expected one of action, service, dispatch, simulated, found 'fly'");
