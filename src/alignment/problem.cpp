@@ -5,19 +5,13 @@
 #include <set>
 #include <utility>
 
+#include "goal_alignment/common/listed.h"
 #include "goal_alignment/common/quote.h"
 #include "goal_alignment/grounding/relaxed_reachability.h"
 
 namespace goal_alignment::alignment {
 
 namespace {
-
-std::string listed(const std::vector<Literal>& literals) {
-  std::string text;
-  for (const Literal& literal : literals)
-    text += (text.empty() ? "" : ", ") + literal.text();
-  return text;
-}
 
 std::vector<Literal> sorted(std::vector<Literal> literals) {
   std::sort(literals.begin(), literals.end());

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "goal_alignment/common/ground_name.h"
+#include "goal_alignment/common/listed.h"
 #include "goal_alignment/common/quote.h"
 #include "md5.h"
 
@@ -82,10 +83,8 @@ const MessageField* MessageDefinition::find(const std::string& name) const {
 }
 
 std::string MessageDefinition::fieldNames() const {
-  std::string names;
-  for (const MessageField& field : fields)
-    names += (names.empty() ? "" : ", ") + field.name;
-  return names.empty() ? "none" : names;
+  if (fields.empty()) return "none";
+  return listed(fields, [](const MessageField& field) { return field.name; });
 }
 
 std::optional<std::size_t> sizeOfBuiltin(const std::string& type) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "goal_alignment/common/listed.h"
 #include "goal_alignment/questions/policy.h"
 
 namespace goal_alignment::cli {
@@ -18,9 +19,7 @@ Value lookUp(const std::map<std::string, Value>& words, const std::string& word,
              const std::string& option) {
   const auto found = words.find(word);
   if (found != words.end()) return found->second;
-  std::string known;
-  for (const auto& entry : words)
-    known += (known.empty() ? "" : ", ") + entry.first;
+  const std::string known = listed(words, [](const auto& entry) { return entry.first; });
   throw CLI::ValidationError(option, "expected one of " + known + ", found '" + word + "'");
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "frames_reader.h"
+#include "goal_alignment/common/listed.h"
 #include "goal_alignment/common/quote.h"
 #include "goal_alignment/pddl/exceptions.h"
 #include "goal_alignment/pddl/source_position.h"
@@ -81,9 +82,8 @@ class PhraseReader : private TemplateReader {
   }
 
   void warnOf(const std::string& language) {
-    std::string names;
-    for (const std::string& name : phrases_.frames_->missing())
-      names += (names.empty() ? "" : ", ") + name;
+    const std::string names =
+        listed(phrases_.frames_->missing(), [](const std::string& name) { return name; });
     if (!names.empty())
       phrases_.warning_ = language + " lacks, and English stands in for: " + names;
   }

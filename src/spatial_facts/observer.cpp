@@ -8,6 +8,8 @@
 #include <iterator>
 #include <utility>
 
+#include "goal_alignment/common/listed.h"
+
 namespace goal_alignment::spatial_facts {
 
 namespace {
@@ -80,9 +82,8 @@ Doubt doubtAbout(const Rule& rule, const Group& group, std::string reason) {
 }
 
 std::string nowhere(const Group& group, std::size_t nearest, double distance) {
-  std::string places;
-  for (const Group::Option& option : group.options)
-    places += (places.empty() ? "" : ", ") + option.place;
+  const std::string places =
+      listed(group.options, [](const Group::Option& option) { return option.place; });
   return fmt::format("{} is in none of {}; the nearest, {}, is {:.2f} m away", group.subject,
                      places, group.options[nearest].place, distance);
 }
