@@ -50,7 +50,7 @@ AlignmentInstance homeAlignment(int size, const Truth& truth, RandomSource& rand
 /// candidates.
 AlignmentInstance largeHome(std::uint64_t seed);
 
-/// Makes the folder and writes the files that README.md names. Throws std::filesystem_error or
+/// Makes the folder and writes the files that doc/command-line.md names. Throws std::filesystem_error or
 /// pddl::InputError.
 void write(const AlignmentInstance& instance, const std::string& folder);
 
