@@ -50,8 +50,8 @@ AlignmentInstance homeAlignment(int size, const Truth& truth, RandomSource& rand
 /// candidates.
 AlignmentInstance largeHome(std::uint64_t seed);
 
-/// Makes the folder and writes the files that README.md names. Throws std::filesystem_error or
-/// pddl::InputError.
+/// Makes the folder and writes the files that doc/command-line.md names. Throws
+/// std::filesystem_error or pddl::InputError.
 void write(const AlignmentInstance& instance, const std::string& folder);
 
 /// The same with domain.pddl and problem.pddl.

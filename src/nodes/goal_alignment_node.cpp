@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Aligns people's tasks with what the robot can do: README.md, "Interface".
+// Aligns people's tasks with what the robot can do: doc/interface.md.
 #include <ros/ros.h>
 
 #include "goal_alignment/aligner/aligner_node.h"

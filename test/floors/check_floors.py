@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Holds the house together: fails on an include that goes up or sideways, on a circle, and on a
-ROS or catkin header in the core. README.md, "The map of the house", draws the same floors.
+ROS or catkin header in the core. doc/architecture.md, "Floors", lists the same floors.
 
 usage: check_floors.py [ROOT]        prints file:line: message for each fault, exits with 1
 """

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compares README.md, section "The ROS interface", and config/goal_alignment.yaml with a running graph."""
+"""Compares doc/interface.md, the names on all other pages, and the files in config/ with a running graph and the source."""
+import glob
 import os
 import re
 import time
@@ -42,49 +43,49 @@ def eventually(holds):
     return True
 
 
-def leading_types(rule):
-    """The types that a rule begins with: "Question, AlignmentState, Plan. No node …" has three."""
-    types = []
-    while True:
-        found = re.match(r'\s*((?:[a-z0-9_]+/)?[A-Z]\w+)\s*(,?)', rule)
-        if not found:
-            return types
-        types.append(found.group(1) if '/' in found.group(1) else 'goal_alignment/' + found.group(1))
-        if not found.group(2):
-            return types
-        rule = rule[found.end():]
-
-
 class Name:
-    """A row of README.md's table names one or more of these."""
+    """A row of one of doc/interface.md's tables of names."""
 
-    def __init__(self, kind, text, later, type_name, node):
+    def __init__(self, kind, text, type_name, node):
         self.kind = kind
-        self.name = ALIGNER + '/' + text[1:] if text.startswith('~') else '/' + text.lstrip('/')
-        self.later = later
-        self.type = type_name
+        self.name = f'{node or "/dialogue"}/{text[1:]}' if text.startswith('~') else '/' + text.lstrip('/')
+        self.type = type_name if '/' in type_name else 'goal_alignment/' + type_name
         self.node = node
 
     def __repr__(self):
         return f'{self.kind} {self.name} ({self.type})'
 
 
+# Headings of doc/interface.md, and the node of the graph whose names stand below each.
+SECTIONS = {'goal_alignment_node': ALIGNER, 'plan_executor and simulated_executor': EXECUTOR, 'Dialogue nodes': None}
+
+
+def section_of(page, heading):
+    return re.search(f'^### {heading}\n(.*?)^##', page, re.M | re.S).group(1)
+
+
 def documented_names():
-    section = re.search(r'^### Topics, services, actions\n(.*?)^###? ', text_of('README.md'), re.M | re.S).group(1)
+    page = text_of('doc/interface.md')
     names = []
-    for row in re.findall(r'^\|(.*)\|$', section, re.M):
-        kind, cell, rule = [part.strip() for part in row.split('|', 2)]
-        if kind == 'kind' or set(kind) == {'-'}:
-            continue
-        named = [(text, later) for text, later in re.findall(r'`([^`]+)`( ○)?', cell)]
-        types = leading_types(rule)
-        if len(types) < len(named):  # what comes later need not have one yet
-            given = iter(types)
-            types = [None if later else next(given, None) for _, later in named]
-        node = EXECUTOR if 'executor' in rule else ALIGNER
-        names += [Name(kind.split(',')[0], text, bool(later), types[i], node)
-                  for i, (text, later) in enumerate(named)]
+    for heading, node in SECTIONS.items():
+        for row in re.findall(r'^\|(.*)\|$', section_of(page, heading), re.M):
+            kind, name, type_name, _ = [part.strip() for part in row.split('|', 3)]
+            if kind == 'kind' or set(kind) == {'-'}:
+                continue
+            type_name = re.sub(r'^\[(\w+)\]\(#\w+\)$', r'\1', type_name)
+            names.append(Name(kind.split(',')[0], re.fullmatch(r'`([^`]+)`', name).group(1), type_name, node))
     return names
+
+
+def documented_parameters(heading):
+    """The first column of all tables below the heading."""
+    rows = re.findall(r'^\| ((?:`\w+` ?)+)\|', section_of(text_of('doc/interface.md'), heading), re.M)
+    return {name for row in rows for name in re.findall(r'`(\w+)`', row)}
+
+
+def pages():
+    files = [os.path.join(PACKAGE, 'README.md'), *glob.glob(os.path.join(PACKAGE, 'doc', '*.md'))]
+    return {os.path.relpath(file, PACKAGE): text_of(file) for file in files}
 
 
 class Graph:
@@ -132,13 +133,14 @@ class DocumentedNames(unittest.TestCase):
 
     def test_every_documented_name_is_there_with_its_type(self):
         for name in self.names:
+            if name.node is None:  # a dialogue, which does not run here
+                continue
             if name.kind == 'client of an action':
                 self.assertIn(name.name, self.graphs[name.node].clients)
-            if name.later or name.kind.startswith('client'):  # the master does not know clients
+            if name.kind.startswith('client'):  # the master does not know clients
                 continue
             graph = self.graphs[name.node]
             with self.subTest(name=name):
-                self.assertIsNotNone(name.type, 'README.md gives no type')
                 if name.kind == 'action':
                     self.assertIn(name.name, graph.actions)
                     for part, (_, suffix) in ACTION_TOPICS.items():
@@ -148,31 +150,33 @@ class DocumentedNames(unittest.TestCase):
                     there = graph.services if name.kind == 'srv' else graph.topics[name.kind]
                     self.assertEqual(there.get(name.name), name.type)
 
-    def test_what_is_marked_as_coming_later_is_not_there(self):
-        for name in self.names:
-            graph = self.graphs[name.node]
-            if name.later:
-                with self.subTest(name=name):
-                    self.assertNotIn(name.name, {**graph.services, **graph.topics['pub'], **graph.topics['sub']})
-
     def test_every_name_that_is_there_is_documented(self):
         for node, graph in self.graphs.items():
             known = {(name.kind, name.name) for name in self.names if name.node == node}
             there = {('srv', name) for name in graph.services} | {('action', name) for name in graph.actions}
             there |= {('client of an action', name) for name in graph.clients}
             there |= {(kind, name) for kind, topics in graph.topics.items() for name in topics}
-            self.assertEqual(there - known, set(), f'names of {node} that README.md does not know')
+            self.assertEqual(there - known, set(), f'names of {node} that doc/interface.md does not know')
 
     def test_every_documented_type_can_be_loaded(self):
         for name in self.names:
-            if name.type is None:
-                continue
             with self.subTest(name=name):
                 if name.kind in ('srv', 'client'):
                     self.assertIsNotNone(roslib.message.get_service_class(name.type))
                 else:
                     suffix = 'Action' if 'action' in name.kind else ''
                     self.assertIsNotNone(roslib.message.get_message_class(name.type + suffix))
+
+    def test_names_on_every_page_are_in_the_reference(self):
+        known = {name.name.rsplit('/', 1)[1] for name in self.names}
+        checked = 0
+        for page, text in pages().items():
+            # `~answer`, `~align/cancel`, and /goal_alignment/answer in commands
+            for name in re.findall(r'`~([a-z_]+)', text) + re.findall(r'[\s`]/goal_alignment/([a-z_]+)', text):
+                checked += 1
+                with self.subTest(page=page, name=name):
+                    self.assertIn(name, known | ROSCPP_SERVICES)
+        self.assertGreater(checked, 50)
 
 
 class DocumentedParameters(unittest.TestCase):
@@ -225,10 +229,31 @@ class DocumentedParameters(unittest.TestCase):
         for warning in self.warnings:
             self.assertIn('nobody_reads_this', warning)
 
+    @staticmethod
+    def read_in(file):
+        return set(re.findall(r'\.read(?:Choice|Texts)?\(\s*"(\w+)"', text_of(file)))
+
     def test_every_parameter_that_is_read_is_configured(self):
-        source = text_of('src/aligner/node_options.cpp')
-        read = set(re.findall(r'\.read(?:Choice)?\(\s*"(\w+)"', source))
-        self.assertEqual(read, self.configured())
+        self.assertEqual(self.read_in('src/aligner/node_options.cpp'), self.configured())
+
+    def test_files_with_the_parameters_of_other_nodes_are_complete(self):
+        for file, source in (('config/plan_executor.yaml', 'src/execution/executor_options.cpp'),
+                             ('config/speech_dialogue.yaml', 'src/dialogues/speech_options.cpp')):
+            with self.subTest(file=file):
+                self.assertEqual(set(yaml.safe_load(text_of(file))), self.read_in(source))
+
+    def test_every_parameter_is_documented(self):
+        self.assertEqual(documented_parameters('Parameters of goal_alignment_node'), self.configured())
+        for heading, file in (('Parameters of the executors', 'config/plan_executor.yaml'),
+                              ('Parameters of the dialogue nodes', 'config/speech_dialogue.yaml')):
+            self.assertEqual(documented_parameters(heading), set(yaml.safe_load(text_of(file))))
+
+    def test_former_names_stand_in_the_reference_alone(self):
+        former = r'\b(?:(?:tf|servers?|facts|cancel)_patience|hidden_(?:not_)?wanted)\b|--hidden-'
+        for page, text in pages().items():
+            if page != 'doc/interface.md':
+                with self.subTest(page=page):
+                    self.assertIsNone(re.search(former, text))
 
 
 def all_tests():

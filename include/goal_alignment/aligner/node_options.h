@@ -16,8 +16,8 @@ namespace goal_alignment::aligner {
 /// What becomes of a task that arrives while a plan is being carried out.
 enum class BusyPolicy { Wait, Refuse };
 
-/// All parameters of goal_alignment_node, read anew for every goal. README.md's table and
-/// config/goal_alignment.yaml list them in this order.
+/// All parameters of goal_alignment_node, read anew for every goal. config/goal_alignment.yaml
+/// lists them in this order.
 struct NodeOptions {
   // Files, absolute or relative to the package's folder; "" where a goal brings its own models.
   std::string robot_domain;

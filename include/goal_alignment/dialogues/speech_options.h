@@ -11,8 +11,8 @@
 
 namespace goal_alignment::dialogues {
 
-/// The private parameters of speech_dialogue, read at its start. README.md's table lists them in
-/// this order.
+/// The private parameters of speech_dialogue, read at its start. config/speech_dialogue.yaml
+/// lists them in this order.
 struct SpeechOptions {
   std::string vocabulary = kDefaultVocabulary;  ///< absolute, or below the package's folder
   /// Program and arguments; {text}, {voice} and {rate} are filled in. Empty: nothing is said aloud.

@@ -11,8 +11,8 @@
 
 namespace goal_alignment::execution {
 
-/// Parameters of plan_executor and simulated_executor, read anew for every plan. README.md's table
-/// lists them in this order.
+/// Parameters of plan_executor and simulated_executor, read anew for every plan.
+/// config/plan_executor.yaml lists them in this order.
 struct ExecutorOptions {
   std::string mapping;  ///< file, absolute or relative to the package's folder; "": none
   std::string aligner = "goal_alignment";  ///< name of its node; read at the start alone

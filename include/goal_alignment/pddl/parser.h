@@ -5,7 +5,7 @@
 #include "goal_alignment/common/limits.h"
 #include "goal_alignment/pddl/ast.h"
 
-/// PDDL 1.2/2.1 text to ast (Ghallab et al. 1998; Fox & Long 2003), the part named in README.md:
+/// PDDL 1.2/2.1 text to ast (Ghallab et al. 1998; Fox & Long 2003), the part named in doc/pddl.md:
 /// :adl :constants :action-costs.
 ///
 /// All functions are O(text), keep no state, and throw SyntaxError or UnsupportedError; those with

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 /// Every ROS name of the alignment's side of the graph, each once; those of the execution of plans
-/// stand in execution/names.h. README.md's tables follow this file.
+/// stand in execution/names.h. doc/interface.md lists them all.
 namespace goal_alignment::ros_common {
 
 constexpr const char* kPackage = "goal_alignment";

@@ -21,7 +21,7 @@ struct Row {
   int status;
 };
 
-// The tables of INTERFACE.md: outcomes and exit statuses.
+// The outcomes of doc/interface.md and the exit statuses of doc/command-line.md.
 TEST(Outcome, EveryCodeHasItsWordAndExitStatus) {
   const std::vector<Row> table = {
       {0, "internal", 5},   {1, "plan_found", 0}, {50, "canceled", 4},  {51, "no_plan", 1},
