@@ -4,7 +4,7 @@
 #
 #     build/core    the core library and hagl, without ROS
 #     build/ros     the catkin package and all tests; its devel space is build/devel
-#     build/asan build/ros-asan build/tsan build/ros-tsan build/fuzz    for scripts/test --all
+#     build/ros-asan build/ros-tsan build/fuzz    for scripts/test --all
 #     build/logs    what the tools said
 
 root=$(cd "${BASH_SOURCE[0]%/*}/.." && pwd)
