@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "alternatives.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <queue>
 #include <utility>
 
-#include "goal_alignment/achievability/achievability.h"
-
 /// What to give up of all that is wanted: the cheapest sets that hit all conflicts within it, where
-/// giving up f costs −log(1 − belief). Conflicts that nobody knows yet come to light as the sets
-/// that hit the known ones are checked.
+/// giving up f costs −log(1 − belief). Conflicts that are not known yet come to light when a set
+/// that hits the known ones is checked.
 namespace goal_alignment::achievability {
 
 namespace {
 
-/// Sets taken up in order before what is there is completed in a hurry.
+/// How many sets are expanded in order; those that are left then are completed greedily.
 constexpr std::size_t kMaxNodes = 5'000;
 
-/// No belief is so sure that giving it up would be out of the question, or cost nothing.
+/// However sure the belief, giving a candidate up costs something and is never out of the question.
 constexpr double kMinCost = 1e-9;
 constexpr double kMaxCost = 50;
 
-/// A set that is to be given up, and what must stay on this branch: other branches give that up, so
-/// that none is met twice.
+/// A set to give up, and what must not be given up on this branch: other branches do that, so that
+/// no set is visited twice.
 struct Node {
   CandidateSet given_up;
   CandidateSet kept;
-  double bound = 0;  ///< no set below costs less
+  double bound = 0;  ///< no set on this branch costs less
   double cost = 0;   ///< of what is given up so far
 };
 
-/// The least bound first; of equals the one that is furthest on, and then the first by index.
+/// The lowest bound first; of equals the one that has given up most, and then the first by index.
 struct IsWorse {
   bool operator()(const Node& a, const Node& b) const {
     if (a.bound != b.bound) return a.bound > b.bound;
@@ -48,6 +48,7 @@ std::vector<double> costs(const std::vector<double>& belief) {
   return result;
 }
 
+/// The branches still open and the sets found, by what the conflicts known so far say.
 class HittingSets {
  public:
   HittingSets(const CandidateSet& wanted, const std::vector<double>& belief)
@@ -62,7 +63,7 @@ class HittingSets {
     return node;
   }
 
-  /// Known to be more than is needed.
+  /// Whether a subset was found before, so that this set gives up more than is needed.
   bool superfluous(const CandidateSet& given_up) const {
     return std::any_of(found_.begin(), found_.end(),
                        [&](const CandidateSet& known) { return known.is_subset_of(given_up); });
@@ -93,7 +94,7 @@ class HittingSets {
     }
   }
 
-  /// The cheapest way to hit one conflict more.
+  /// The cheapest member of the conflict.
   std::size_t cheapestOf(const CandidateSet& conflict) const {
     const std::vector<std::size_t> all = members(conflict);
     return *std::min_element(all.begin(), all.end(),
@@ -122,14 +123,14 @@ class HittingSets {
   void push(Node node, const std::vector<Conflict>& conflicts) {
     node.cost = costOf(node.given_up);
     node.bound = node.cost;
-    // Conflicts that share nothing are paid for apart.
+    // Conflicts that share no candidate are paid for separately.
     CandidateSet paid = ~wanted_ | node.kept;
     CandidateSet used(wanted_.size());
     for (const Conflict& conflict : conflicts) {
       if (!conflict.members.is_subset_of(wanted_) || conflict.members.intersects(node.given_up))
         continue;
       const CandidateSet left = conflict.members - paid;
-      if (left.none()) return;  // it can't be hit any more
+      if (left.none()) return;  // nothing on this branch can hit it
       if (left.intersects(used)) continue;
       used |= left;
       node.bound += costs_[cheapestOf(left)];
@@ -143,27 +144,31 @@ class HittingSets {
   std::vector<CandidateSet> found_;
 };
 
-/// Goes through the sets; what its steps return is false when the limits end them.
+/// The search through the sets. Its steps return false when the limits end them.
 class Alternatives {
  public:
   Alternatives(Achievability& robot, const CandidateSet& wanted, const std::vector<double>& belief,
-               std::size_t most, const Limits& limits)
-      : robot_(robot), wanted_(wanted), most_(most), limits_(limits), sets_(wanted, belief) {}
+               std::size_t max_sets, const Limits& limits)
+      : robot_(robot),
+        wanted_(wanted),
+        max_sets_(max_sets),
+        limits_(limits),
+        sets_(wanted, belief) {}
 
   std::vector<CandidateSet> run() {
     LimitMonitor monitor(limits_);
-    for (std::size_t taken = 0; !sets_.empty() && sets_.count() < most_; ++taken) {
+    for (std::size_t taken = 0; !sets_.empty() && sets_.count() < max_sets_; ++taken) {
       if (monitor.poll() != LimitReason::None) break;
       const Node node = sets_.pop();
       if (sets_.superfluous(node.given_up)) continue;
-      if (!(taken < kMaxNodes ? takeUp(node) : complete(node))) break;
+      if (!(taken < kMaxNodes ? expand(node) : completeGreedily(node))) break;
     }
     return std::move(sets_).found();
   }
 
  private:
-  /// In order: the set is what is looked for, or a conflict says how to go on from it.
-  bool takeUp(const Node& node) {
+  /// The set is one that is looked for, or a conflict that it does not hit gives its children.
+  bool expand(const Node& node) {
     bool interrupted = false;
     const auto conflict = conflictLeft(node.given_up, interrupted);
     if (conflict) {
@@ -174,8 +179,8 @@ class Alternatives {
     return !interrupted;
   }
 
-  /// In a hurry: the cheapest of each conflict, and back what that makes needless.
-  bool complete(const Node& node) {
+  /// Gives up the cheapest member of each conflict, then takes back what that made needless.
+  bool completeGreedily(const Node& node) {
     CandidateSet given_up = node.given_up;
     bool interrupted = false;
     while (const auto conflict = conflictLeft(given_up, interrupted)) {
@@ -191,7 +196,8 @@ class Alternatives {
     return !interrupted;
   }
 
-  /// A conflict, be it a suspected one, in what is wanted without the set; none: there is a plan.
+  /// A conflict, proven or suspected, in what is wanted without the set. Nothing: there is a plan,
+  /// or the limits ended the check, which `interrupted` says.
   std::optional<CandidateSet> conflictLeft(const CandidateSet& given_up, bool& interrupted) {
     if (const Conflict* known = sets_.unhit(given_up, robot_.conflicts())) return known->members;
     const CandidateSet rest = wanted_ - given_up;
@@ -204,17 +210,17 @@ class Alternatives {
 
   Achievability& robot_;
   CandidateSet wanted_;
-  std::size_t most_;
+  std::size_t max_sets_;
   Limits limits_;
   HittingSets sets_;
 };
 
 }  // namespace
 
-std::vector<CandidateSet> Achievability::alternatives(const CandidateSet& wanted,
-                                                      const std::vector<double>& belief,
-                                                      std::size_t most, const Limits& limits) {
-  return Alternatives(*this, wanted, belief, most, limits).run();
+std::vector<CandidateSet> findAlternatives(Achievability& robot, const CandidateSet& wanted,
+                                           const std::vector<double>& belief,
+                                           std::size_t max_alternatives, const Limits& limits) {
+  return Alternatives(robot, wanted, belief, max_alternatives, limits).run();
 }
 
 }  // namespace goal_alignment::achievability

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/achievability/conflict_set.h"
+#include "conflict_set.h"
 
 #include <algorithm>
 

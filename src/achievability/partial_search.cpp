@@ -25,12 +25,12 @@ using task::OperatorId;
 
 namespace {
 
-/// A part that takes more than this share of the states is left to the diagram.
+/// A part that takes more states than one share in so many is left to the diagram.
 constexpr std::uint64_t kShare = 4;
-/// Steps on diagrams that take about as long as a state.
+/// How many steps on diagrams take about as long as one state.
 constexpr std::uint64_t kStepsPerState = 20;
 
-/// Operators that can be looked at, to make a part, in about as long as a state takes.
+/// How many operators are looked at, to make a part, in about the time of one state.
 constexpr std::uint64_t kOperatorsPerState = 50;
 
 class PartialSearch {
@@ -59,8 +59,9 @@ class PartialSearch {
   const task::Task& whole() const { return task_.task(); }
   bool kept(FactId fact) const { return !copies_[fact].empty(); }
 
-  /// With the group that has more to do with what is kept. A conditional effect on what is kept
-  /// must be known to the letter: with less of its condition it would happen where it does not.
+  /// Keeps the fact with whichever of its groups has more kept facts. The conditions of a
+  /// conditional effect on what is kept must be kept, too: with less of them it would happen where
+  /// it does not.
   void keep(FactId fact) {
     std::vector<FactId> open = {fact};
     while (!open.empty()) {
@@ -89,7 +90,8 @@ class PartialSearch {
     }
   }
 
-  /// A group of the fact and others than those that it is grouped with already, kept ones first.
+  /// A second mutex group of the fact, without those that it is grouped with already; facts that
+  /// are kept come first.
   FactSet otherGroup(FactId fact) const {
     FactSet group = {fact};
     const auto own = task_.groups().place(fact).group;
@@ -109,7 +111,7 @@ class PartialSearch {
         std::count_if(facts.begin(), facts.end(), [&](FactId fact) { return kept(fact); }));
   }
 
-  /// What is kept of the facts, as the part knows them.
+  /// Of the facts those that are kept, by their numbers in the part.
   FactSet restricted(const FactSet& facts) const {
     FactSet result;
     for (const FactId fact : facts)
@@ -117,7 +119,7 @@ class PartialSearch {
     return task::makeFactSet(std::move(result));
   }
 
-  /// The part; `origin` gets the operators' numbers in the whole.
+  /// The task of the part; `origin` receives its operators' ids in the whole task.
   task::Task part(std::vector<OperatorId>& origin) const {
     task::Task result;
     result.facts = part_facts_;
@@ -155,7 +157,7 @@ class PartialSearch {
     return {projection.task, std::move(groups)};
   }
 
-  /// A plan of the part, in operators of the whole.
+  /// A plan of the part, by the operators of the whole task.
   Result searchPart() {
     Result result;
     task::Goal goal;
@@ -170,8 +172,8 @@ class PartialSearch {
     const bool conditional = std::any_of(own.operators.begin(), own.operators.end(),
                                          [](const auto& op) { return !op.conditional.empty(); });
     if (conditional) {
-      // That a group has one value at most is relied on to the letter here, and it would no longer
-      // be so without the operators that only take a value away.
+      // A projection leaves out operators that only take a value away. Conditional effects rely on
+      // each group having at most one value, so they get the task as it is.
       const SearchTask ready(own, {own, groups_});
       result = searchReady(ready, goal);
     } else {
@@ -192,9 +194,9 @@ class PartialSearch {
     left_ -= std::min(left_, result.statistics.generated + making);
     if (result.limit != LimitReason::States || left_ == 0) return result;
     search::Symbolic symbolic(part.task(), part.groups());
-    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+    constexpr std::uint64_t kMax = std::numeric_limits<std::uint64_t>::max();
     Limits own = limits_;
-    own.states = std::min(limits_.states, kMost / kStepsPerState) * kStepsPerState;
+    own.states = std::min(limits_.states, kMax / kStepsPerState) * kStepsPerState;
     own.bytes = limits_.bytes / 2;
     result.limit = symbolic.run(own);
     if (result.limit != LimitReason::None) return result;
@@ -209,8 +211,8 @@ class PartialSearch {
     return result;
   }
 
-  /// Where the plan fails in the whole task, or what it misses of the goal; nothing: it is a plan.
-  /// What is kept is as the part says, so this is something that is not.
+  /// The fact at which the plan fails in the whole task, or which it lacks of the goal. Nothing: it
+  /// is a plan. What is kept is as the part says, so the fact is not kept yet.
   std::optional<FactId> missingFact(const task::Plan& plan) const {
     task::State state = task::initialState(whole());
     for (const OperatorId id : plan) {
@@ -224,7 +226,7 @@ class PartialSearch {
     for (const FactSet& alternative : goal_.alternatives) {
       FactSet lacking = missing(state, alternative);
       if (lacking.empty()) return std::nullopt;
-      // An alternative that the part gave up on, or one that it took as reached.
+      // Skip the alternatives that the part did not reach; what the others lack is not kept.
       if (keptOf(lacking) > 0) continue;
       if (fewest.empty() || lacking.size() < fewest.size()) fewest = std::move(lacking);
     }

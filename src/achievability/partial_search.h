@@ -11,10 +11,10 @@
 
 namespace goal_alignment::achievability {
 
-/// Proves that a goal can't be had from a part of the task, where all of it is too much. A part is
-/// some of the mutex groups: whatever else operators and the goal ask for is taken as given, and so
-/// all that the task can do the part can, too. It begins with the groups of `first` and grows by
-/// one group each time its plan fails in the whole task, at the fact that was missing
+/// Proves from a part of the task that a goal can't be had, where the whole task is too large. A
+/// part is some of the mutex groups: whatever else operators and the goal ask for is taken as
+/// given, so that a part can do whatever the task can. It begins with the groups of `first` and
+/// grows by one group each time its plan fails in the whole task, at the fact that was missing
 /// (counterexample-guided: Rovner, Sievers & Helmert, "Counterexample-Guided Abstraction Refinement
 /// for Pattern Selection in Optimal Classical Planning", ICAPS 2019). So specified goals that have
 /// nothing to do with it, and what they need, stay out.

@@ -12,7 +12,7 @@
 
 namespace goal_alignment::achievability {
 
-/// The sets of candidates that states were seen to have, and which of them are maximal.
+/// The sets of candidates that hold in the states visited so far, and which of them are maximal.
 class SeenSets {
  public:
   using Seen = std::pair<CandidateSet, search::StateId>;
@@ -30,10 +30,10 @@ class SeenSets {
     maximal_.emplace_back(set, id);
   }
 
-  /// Each with the first state that had it.
+  /// Each with the first state in which it held.
   const std::vector<Seen>& maximal() const { return maximal_; }
 
-  /// What it takes, about.
+  /// About what this takes.
   std::size_t bytes() const { return (seen_.size() + maximal_.capacity()) * bytes_per_set_; }
 
  private:

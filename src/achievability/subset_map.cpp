@@ -8,14 +8,14 @@ namespace goal_alignment::achievability {
 
 namespace {
 
-/// What the solver returns, as every IPASIR solver does.
+/// What every solver with the IPASIR interface returns.
 constexpr int kSatisfiable = 10;
 constexpr int kUnsatisfiable = 20;
 
 /// A clause in the solver: its header, two watches, what points to it, and room to grow.
 constexpr std::size_t kBytesPerClause = 96;
 
-/// Ends the solver when the limits do. A call of the solver takes longer than a look at the clock.
+/// Ends the solver when the limits do.
 class LimitTerminator : public CaDiCaL::Terminator {
  public:
   explicit LimitTerminator(const Limits& limits) : limits_(limits) {}
@@ -133,12 +133,12 @@ CandidateSet SubsetMap::grown(CandidateSet set) const {
   return set;
 }
 
-SubsetMap::Unexplored SubsetMap::maximal(std::size_t most, const Limits& limits) {
+SubsetMap::Unexplored SubsetMap::maximal(std::size_t max_sets, const Limits& limits) {
   Unexplored found;
   LimitTerminator terminator(limits);
   // The sets found by this call exclude each other as long as this variable is assumed.
   const int different = solver_->newVariable();
-  while (found.sets.size() < most) {
+  while (found.sets.size() < max_sets) {
     if (bytes_ > limits.bytes) found.limit = LimitReason::Memory;
     if (bytes_ > limits.bytes) break;
     const Solver::Status status = solver_->solve(different, terminator);

@@ -10,15 +10,15 @@
 
 namespace goal_alignment::achievability {
 
-/// Which sets of candidates are unexplored still: the map of MARCO (Liffiton, Previti, Malik &
-/// Marques-Silva, "Fast, flexible MUS enumeration", Constraints 2016), a formula over one variable
-/// a candidate whose models are these sets. Deterministic.
+/// Which sets of candidates are still unexplored: the map of MARCO (Liffiton, Previti, Malik &
+/// Marques-Silva, "Fast, flexible MUS enumeration", Constraints 2016), a formula with one variable
+/// per candidate whose models are these sets. Deterministic.
 ///
 ///     SubsetMap map(candidates);
 ///     for (;;) {
 ///       const auto found = map.maximal(1, limits);
 ///       if (found.sets.empty()) break;                 // explored, unless found.limit says why
-///       not if (can be had) map.blockDown(found.sets[0]); else map.blockUp(a conflict within it);
+///       if (can be had) map.blockDown(found.sets[0]); else map.blockUp(a conflict within it);
 ///     }
 class SubsetMap {
  public:
@@ -36,12 +36,12 @@ class SubsetMap {
     LimitReason limit = LimitReason::None;  ///< why there may be others
   };
 
-  /// Up to `most` unexplored sets of which every proper superset is explored. They stay unexplored.
-  /// One call of a SAT solver each: NP-hard, quick in practice. Reads the clock, the cancel token
-  /// and the bytes of the limits, not the states.
-  Unexplored maximal(std::size_t most, const Limits& limits);
+  /// Up to `max_sets` unexplored sets of which every proper superset is explored. They stay
+  /// unexplored. One call of a SAT solver each: NP-hard, quick in practice. Reads the clock, the
+  /// cancel token and the bytes of the limits, not the states.
+  Unexplored maximal(std::size_t max_sets, const Limits& limits);
 
-  /// What the blocks take, about. What the solver learns from them it keeps small by itself.
+  /// About what the blocks take. The solver keeps small by itself what it learns from them.
   std::size_t bytes() const { return bytes_; }
 
  private:

@@ -11,12 +11,12 @@ namespace goal_alignment::questions {
 /// is certain.
 class AskAllPolicy : public Policy {
  public:
-  explicit AskAllPolicy(PolicyContext setting) : setting_(std::move(setting)) {}
+  explicit AskAllPolicy(PolicyContext context) : context_(std::move(context)) {}
   std::optional<Choice> next(const Situation& situation) override;
   bool usesConflicts() const override { return false; }
 
  private:
-  PolicyContext setting_;
+  PolicyContext context_;
 };
 
 }  // namespace goal_alignment::questions

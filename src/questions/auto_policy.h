@@ -5,13 +5,13 @@
 
 namespace goal_alignment::questions {
 
-/// The default: OptimalPolicy with so little work for one decision that nobody waits for it.
+/// The default: OptimalPolicy with so little work per decision that nobody notices the wait.
 class AutoPolicy : public OptimalPolicy {
  public:
-  /// Some 20 ms; less than 50 on a machine that others use, too.
+  /// About 20 ms, and less than 50 ms on a busy machine.
   static constexpr std::uint64_t kWork = 2'000'000;
 
-  explicit AutoPolicy(const PolicyContext& setting) : OptimalPolicy(setting, kWork) {}
+  explicit AutoPolicy(const PolicyContext& context) : OptimalPolicy(context, kWork) {}
 };
 
 }  // namespace goal_alignment::questions

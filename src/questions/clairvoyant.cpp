@@ -28,7 +28,8 @@ void keepMinimal(Sets& sets) {
   sets = std::move(minimal);
 }
 
-/// Sets that share nothing need a member each. Small ones first, as keepMinimal() leaves them.
+/// A lower bound: sets that share nothing need a member each. Takes small ones first, as
+/// keepMinimal() sorts them.
 std::size_t disjointSets(const Sets& sets) {
   std::size_t count = 0;
   CandidateSet used(sets.front().size());

@@ -11,7 +11,7 @@ namespace goal_alignment::questions {
 
 namespace {
 
-/// Of one set.
+/// What is known of one set asked member by member.
 struct SetCost {
   double all = 1;      ///< P(all wanted)
   double cost = 0;     ///< E[questions until that is known]
@@ -21,7 +21,7 @@ struct SetCost {
 SetCost costOf(CandidateMask set, const Chances& p) {
   SetCost result;
   for (CandidateMask left = set; left != 0; left = clearLowestBit(left)) {
-    const std::size_t f = firstBit(left);
+    const std::size_t f = firstCandidate(left);
     result.cost += result.all;
     result.all *= p[f];
     result.inverse += p.perYes(f);
@@ -29,6 +29,7 @@ SetCost costOf(CandidateMask set, const Chances& p) {
   return result;
 }
 
+/// The candidates that are in more than one set.
 CandidateMask inSeveral(const MonotoneDnf& dnf) {
   CandidateMask once = 0;
   CandidateMask several = 0;
@@ -39,18 +40,18 @@ CandidateMask inSeveral(const MonotoneDnf& dnf) {
   return several;
 }
 
-/// The first, and those as likely.
+/// The first candidate of the set, and those as likely.
 CandidateMask leastLikely(CandidateMask set, const Chances& p) {
-  const double least = p[firstBit(set)];
+  const double lowest = p[firstCandidate(set)];
   CandidateMask result = 0;
   for (CandidateMask left = set; left != 0; left = clearLowestBit(left)) {
-    if (p[firstBit(left)] > least * (1 + kTolerance)) break;
-    result |= bitOf(firstBit(left));
+    if (p[firstCandidate(left)] > lowest * (1 + kTolerance)) break;
+    result |= maskOf(firstCandidate(left));
   }
   return result;
 }
 
-/// Rule 1 of certainlyFirst().
+/// Rule 1 of provablyBestFirst().
 CandidateMask firstOfLoneSets(const MonotoneDnf& dnf, const Chances& p) {
   const CandidateMask several = inSeveral(dnf);
   double best_ratio = -1;
@@ -71,43 +72,43 @@ CandidateMask firstOfLoneSets(const MonotoneDnf& dnf, const Chances& p) {
   return best_ratio >= rest ? first : 0;
 }
 
-/// Rule 2 of certainlyFirst().
+/// Rule 2 of provablyBestFirst().
 CandidateMask firstOfCore(const MonotoneDnf& dnf, const Chances& p) {
   CandidateMask core = ~CandidateMask{0};
   for (const CandidateMask set : dnf)
     core &= set;
   if (core == 0) return 0;
   const CandidateMask first = leastLikely(core, p);
-  const CandidateMask ignored = bitOf(firstBit(first));
+  const CandidateMask ignored = maskOf(firstCandidate(first));
   double rest = 0;
   CandidateMask used = ignored;
   for (const CandidateMask set : dnf) {
     if ((set & used & ~ignored) != 0) continue;
     used |= set;
-    rest += p.perNo(firstBit(set & ~ignored));
+    rest += p.perNo(firstCandidate(set & ~ignored));
   }
-  return p.perNo(firstBit(first)) <= rest ? first : 0;
+  return p.perNo(firstCandidate(first)) <= rest ? first : 0;
 }
 
-/// Who stands beside a candidate.
+/// Which candidates are interchangeable because they occur in the same company.
 struct CandidateSymmetry {
   CandidateMask all = 0;
-  std::array<CandidateMask, kMaxBits> beside;  // what is in every set with it
-  std::array<DnfKey, kMaxBits> links{};        // the sets with it, without it
+  std::array<CandidateMask, kMaxCandidates> beside;  // what is in every set with it
+  std::array<DnfKey, kMaxCandidates> links{};        // the sets with it, without it
 
   explicit CandidateSymmetry(const MonotoneDnf& dnf) {
     beside.fill(~CandidateMask{0});
     for (const CandidateMask set : dnf) {
       all |= set;
       for (CandidateMask left = set; left != 0; left = clearLowestBit(left)) {
-        const std::size_t f = firstBit(left);
+        const std::size_t f = firstCandidate(left);
         beside[f] &= set;
-        addTo(links[f], set & ~bitOf(f));
+        addTo(links[f], set & ~maskOf(f));
       }
     }
   }
   bool together(std::size_t a, std::size_t b) const {
-    return (beside[a] & bitOf(b)) != 0 && (beside[b] & bitOf(a)) != 0;
+    return (beside[a] & maskOf(b)) != 0 && (beside[b] & maskOf(a)) != 0;
   }
   bool exchangeable(std::size_t a, std::size_t b) const { return links[a] == links[b]; }
 
@@ -123,16 +124,17 @@ struct CandidateSymmetry {
 
 Chances::Chances(const std::vector<double>& rising) {
   for (std::size_t f = 0; f < rising.size(); ++f) {
-    const bool alike = f > 0 && rising[f] == rising[f - 1];
-    of_[f] = {rising[f], 1 / rising[f], 1 / (1 - rising[f]), alike ? of_[f - 1].first_alike : f};
+    const bool same = f > 0 && rising[f] == rising[f - 1];
+    of_[f] = {rising[f], 1 / rising[f], 1 / (1 - rising[f]),
+              same ? of_[f - 1].first_with_same_chance : f};
   }
 }
 
-bool Chances::anyAlike(CandidateMask set) const {
-  std::size_t last = kMaxBits;
+bool Chances::anyEqual(CandidateMask set) const {
+  std::size_t last = kMaxCandidates;
   for (CandidateMask left = set; left != 0; left = clearLowestBit(left)) {
-    const std::size_t first = firstAlike(firstBit(left));
-    if (first == last && first != kMaxBits) return true;
+    const std::size_t first = firstWithSameChance(firstCandidate(left));
+    if (first == last && first != kMaxCandidates) return true;
     last = first;
   }
   return false;
@@ -157,61 +159,62 @@ double disjointCost(const MonotoneDnf& dnf, const Chances& p) {
   return sum;
 }
 
-double leastCost(const MonotoneDnf& dnf, const Chances& p) {
-  double smallest = kMaxBits;
+double costLowerBound(const MonotoneDnf& dnf, const Chances& p) {
+  double smallest = kMaxCandidates;
   double disjoint = 0;
-  double least_yes = 1e300;
-  double least_no = 0;
+  double min_yes = 1e300;  // min_S Σ_S a
+  double min_no = 0;       // min_H Σ_H b, from below
   double no = 1;           // P(no), from below
   double disjoint_no = 1;  // P(none of the disjoint sets is all wanted)
   CandidateMask used = 0;
   for (const CandidateMask set : dnf) {
     const SetCost cost = costOf(set, p);
-    smallest = std::min(smallest, static_cast<double>(countBits(set)));
-    least_yes = std::min(least_yes, cost.inverse);
+    smallest = std::min(smallest, static_cast<double>(candidateCount(set)));
+    min_yes = std::min(min_yes, cost.inverse);
     no *= 1 - cost.all;
     if ((set & used) != 0) continue;
     used |= set;
     ++disjoint;
     disjoint_no *= 1 - cost.all;
-    least_no += p.perNo(firstBit(set));
+    min_no += p.perNo(firstCandidate(set));
   }
   const double yes = 1 - disjoint_no;  // P(yes), from below
   double by_time = std::min(smallest, disjoint);
   for (double t = smallest; t < disjoint; ++t)
-    by_time += std::max(no, 1 - t / least_yes);
+    by_time += std::max(no, 1 - t / min_yes);
   if (disjoint < smallest) by_time += yes * (smallest - disjoint);
-  return std::max({by_time, yes > 0 ? yes * least_yes : 0, no > 0 ? no * least_no : 0});
+  return std::max({by_time, yes > 0 ? yes * min_yes : 0, no > 0 ? no * min_no : 0});
 }
 
-CandidateMask certainlyFirst(const MonotoneDnf& dnf, const Chances& p) {
+CandidateMask provablyBestFirst(const MonotoneDnf& dnf, const Chances& p) {
   const CandidateMask lone = firstOfLoneSets(dnf, p);
   return lone != 0 ? lone : firstOfCore(dnf, p);
 }
 
-CandidateMask worthAsking(const MonotoneDnf& dnf, const Chances& p) {
+CandidateMask undominatedCandidates(const MonotoneDnf& dnf, const Chances& p) {
   const CandidateSymmetry symmetry(dnf);
   CandidateMask result = 0;
   for (CandidateMask left = symmetry.all; left != 0; left = clearLowestBit(left)) {
-    const std::size_t f = firstBit(left);
+    const std::size_t f = firstCandidate(left);
     bool replaced = false;
     for (CandidateMask others = symmetry.all; others != 0 && !replaced;
          others = clearLowestBit(others)) {
-      const std::size_t other = firstBit(others);
+      const std::size_t other = firstCandidate(others);
       replaced = other != f && symmetry.replaces(other, f, p);
     }
-    if (!replaced) result |= bitOf(f);
+    if (!replaced) result |= maskOf(f);
   }
   return result;
 }
 
-CandidateMask alike(const MonotoneDnf& dnf, const Chances& p, std::size_t candidate) {
+CandidateMask equivalentCandidates(const MonotoneDnf& dnf, const Chances& p,
+                                   std::size_t candidate) {
   const CandidateSymmetry symmetry(dnf);
   CandidateMask result = 0;
   for (CandidateMask left = symmetry.all; left != 0; left = clearLowestBit(left)) {
-    const std::size_t f = firstBit(left);
-    const bool kind = symmetry.together(f, candidate) || symmetry.exchangeable(f, candidate);
-    if (kind && p[f] == p[candidate]) result |= bitOf(f);
+    const std::size_t f = firstCandidate(left);
+    const bool symmetric = symmetry.together(f, candidate) || symmetry.exchangeable(f, candidate);
+    if (symmetric && p[f] == p[candidate]) result |= maskOf(f);
   }
   return result;
 }

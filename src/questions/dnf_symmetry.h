@@ -5,11 +5,12 @@
 
 namespace goal_alignment::questions {
 
-/// A key that many DNFs share which differ in the names of equally likely candidates alone, and
-/// no others: they cost the same. Candidates are renamed among their likes in the order of what
-/// surrounds them (colour refinement: Weisfeiler & Leman, 1968), those that belong together side by
-/// side. Where that leaves ties a dnf may miss its twin, which costs time and nothing else. The
-/// dnf's own key where no two of its candidates are equally likely. O(total size + n log n).
-DnfKey keyUpToNames(const MonotoneDnf& dnf, const Chances& p);
+/// A key that many DNFs share that differ only in the names of equally likely candidates, so that
+/// they cost the same; DNFs that differ in more never share one. Equally likely candidates are
+/// renamed in the order of what surrounds them (colour refinement: Weisfeiler & Leman, 1968), one
+/// connected component after the other. Where that leaves ties two DNFs that differ in names only
+/// may get different keys, which costs time and nothing else. The DNF's own key where no two of its
+/// candidates are equally likely. O(total size + n log n).
+DnfKey keyUpToRenaming(const MonotoneDnf& dnf, const Chances& p);
 
 }  // namespace goal_alignment::questions

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNoCutoff = std::numeric_limits<double>::infinity();
 
-/// Families remembered from one decision to the next: some 100 MiB.
+/// DNFs remembered from one decision to the next: some 100 MiB.
 constexpr std::size_t kMaxKnown = std::size_t{1} << 21U;
 
 /// About a millisecond.
@@ -23,16 +23,16 @@ constexpr std::uint64_t kWorkBetweenPolls = 100'000;
 
 std::optional<CandidateMask> ExpectedCost::bestFirst(const MonotoneDnf& dnf, std::uint64_t work) {
   allow(work);
-  if (const CandidateMask first = certainlyFirst(dnf, p_); first != 0) return first;
+  if (const CandidateMask first = provablyBestFirst(dnf, p_); first != 0) return first;
   try {
     double best = kNoCutoff;
     CandidateMask result = 0;
-    for (Option& option : optionsOf(dnf)) {
+    for (Option& option : makeOptions(dnf)) {
       const double of_option = valueOf(option, best * (1 + kTolerance));
       if (of_option > best * (1 + kTolerance)) continue;
       if (of_option < best * (1 - kTolerance)) result = 0;
       best = std::min(best, of_option);
-      result |= alike(dnf, p_, option.candidate);
+      result |= equivalentCandidates(dnf, p_, option.candidate);
     }
     return result;
   } catch (const OutOfWork&) {
@@ -49,82 +49,81 @@ std::optional<double> ExpectedCost::of(const MonotoneDnf& dnf, std::uint64_t wor
   }
 }
 
-/// Exact where it is below the cutoff; otherwise no more than the true value, and not below the
-/// cutoff.
+/// Exact where it is below the cutoff; otherwise a lower bound that is not below the cutoff.
 double ExpectedCost::value(const MonotoneDnf& dnf, double cutoff) {
   if (isDisjoint(dnf)) return disjointCost(dnf, p_);
-  const DnfKey key = keyUpToNames(dnf, p_);
+  const DnfKey key = keyUpToRenaming(dnf, p_);
   if (const auto found = known_.find(key); found != known_.end()) {
     if (found->second.exact || found->second.value >= cutoff) return found->second.value;
   }
-  const double result = leastOver(dnf, cutoff);
+  const double result = minOverOptions(dnf, cutoff);
   Known& known = known_[key];
   known = {std::max(known.value, result), result < cutoff};
   return result;
 }
 
-double ExpectedCost::leastOver(const MonotoneDnf& dnf, double cutoff) {
+double ExpectedCost::minOverOptions(const MonotoneDnf& dnf, double cutoff) {
   spend(dnf.size());
-  if (const CandidateMask first = certainlyFirst(dnf, p_); first != 0) {
-    Option option = optionOf(dnf, firstBit(first));
+  if (const CandidateMask first = provablyBestFirst(dnf, p_); first != 0) {
+    Option option = makeOption(dnf, firstCandidate(first));
     return valueOf(option, cutoff);
   }
   double best = kNoCutoff;
-  for (Option& option : optionsOf(dnf))
+  for (Option& option : makeOptions(dnf))
     best = std::min(best, valueOf(option, std::min(best, cutoff)));
   return best;
 }
 
 /// The most promising first, which makes the cutoff sharp for the rest.
-std::vector<ExpectedCost::Option> ExpectedCost::optionsOf(const MonotoneDnf& dnf) {
+std::vector<ExpectedCost::Option> ExpectedCost::makeOptions(const MonotoneDnf& dnf) {
   std::vector<Option> options;
-  for (CandidateMask left = worthAsking(dnf, p_); left != 0; left = clearLowestBit(left))
-    options.push_back(optionOf(dnf, firstBit(left)));
+  for (CandidateMask left = undominatedCandidates(dnf, p_); left != 0; left = clearLowestBit(left))
+    options.push_back(makeOption(dnf, firstCandidate(left)));
   std::sort(options.begin(), options.end(),
-            [](const Option& a, const Option& b) { return a.least < b.least; });
+            [](const Option& a, const Option& b) { return a.lower_bound < b.lower_bound; });
   return options;
 }
 
-/// As value(), of asking this first.
+/// The same as value() when this candidate is asked first.
 double ExpectedCost::valueOf(Option& option, double cutoff) {
   const double p = p_[option.candidate];
-  if (option.least >= cutoff) return option.least;
+  if (option.lower_bound >= cutoff) return option.lower_bound;
   if (p < 1) {
-    const double no_cutoff = (cutoff - 1 - p * option.least_yes) / (1 - p);
-    option.least_no = value(option.no, no_cutoff);
-    option.weigh(p);
+    const double no_cutoff = (cutoff - 1 - p * option.yes_bound) / (1 - p);
+    option.no_bound = value(option.no, no_cutoff);
+    option.updateBound(p);
     // Not by comparing the sum: rounding must not turn a bound into a value.
-    if (option.least_no >= no_cutoff) return std::max(option.least, cutoff);
+    if (option.no_bound >= no_cutoff) return std::max(option.lower_bound, cutoff);
   }
   if (p > 0) {
-    const double yes_cutoff = (cutoff - 1 - (1 - p) * option.least_no) / p;
-    option.least_yes = value(option.yes, yes_cutoff);
-    option.weigh(p);
-    if (option.least_yes >= yes_cutoff) return std::max(option.least, cutoff);
+    const double yes_cutoff = (cutoff - 1 - (1 - p) * option.no_bound) / p;
+    option.yes_bound = value(option.yes, yes_cutoff);
+    option.updateBound(p);
+    if (option.yes_bound >= yes_cutoff) return std::max(option.lower_bound, cutoff);
   }
-  return option.least;
+  return option.lower_bound;
 }
 
-ExpectedCost::Option ExpectedCost::optionOf(const MonotoneDnf& dnf, std::size_t candidate) {
+ExpectedCost::Option ExpectedCost::makeOption(const MonotoneDnf& dnf, std::size_t candidate) {
   Option option;
   option.candidate = candidate;
   option.yes = dnf.ifWanted(candidate);
   option.no = dnf.ifNotWanted(candidate);
   const std::size_t with = dnf.size() - option.no.size();
   const std::uint64_t work = 16 + 3 * dnf.size() + with * option.no.size();
-  spend(has_alike_ ? 2 * work : work);  // keys take as long as all the rest
+  spend(has_equal_chances_ ? 2 * work : work);  // making keys takes as long as the rest
 
   const double p = p_[candidate];
-  option.least_yes = p > 0 ? bound(option.yes) : 0;
-  option.least_no = p < 1 ? bound(option.no) : 0;
-  option.weigh(p);
+  option.yes_bound = p > 0 ? bound(option.yes) : 0;
+  option.no_bound = p < 1 ? bound(option.no) : 0;
+  option.updateBound(p);
   return option;
 }
 
 double ExpectedCost::bound(const MonotoneDnf& dnf) const {
   if (isDisjoint(dnf)) return disjointCost(dnf, p_);
-  const auto found = known_.find(keyUpToNames(dnf, p_));
-  return found != known_.end() ? found->second.value : leastCost(dnf, p_);
+  const auto found = known_.find(keyUpToRenaming(dnf, p_));
+  return found != known_.end() ? found->second.value : costLowerBound(dnf, p_);
 }
 
 void ExpectedCost::allow(std::uint64_t work) {

@@ -10,7 +10,7 @@ namespace goal_alignment::questions {
 
 namespace {
 
-/// Beyond those, combinations of answers are too unlikely to count.
+/// How many combinations of answers are followed: the rest are too unlikely to count.
 constexpr std::size_t kMaxLeaves = 64;
 
 /// One combination of answers to the group.
@@ -26,6 +26,7 @@ class Group {
     leaves_.push_back({situation.knowledge, 1, !liveConflicts(situation).empty()});
   }
 
+  /// P(the outcome is still open after the answers to the group).
   double undecided() const {
     double open = 0;
     double all = 0;
@@ -80,11 +81,12 @@ class Group {
   std::vector<Leaf> leaves_;
 };
 
-/// For policies that go on whatever the conflicts say.
-std::vector<Choice> nextInOrder(Policy& policy, const Situation& situation, std::size_t most) {
+/// For policies that keep asking whatever the conflicts say.
+std::vector<Choice> nextInOrder(Policy& policy, const Situation& situation,
+                                std::size_t max_candidates) {
   Situation hypothetical = situation;
   std::vector<Choice> group;
-  while (group.size() < most) {
+  while (group.size() < max_candidates) {
     const auto choice = policy.next(hypothetical);
     if (!choice) break;
     hypothetical.knowledge[choice->candidate] = Knowledge::Unsure;  // leaves every reason alive
@@ -95,14 +97,15 @@ std::vector<Choice> nextInOrder(Policy& policy, const Situation& situation, std:
 
 }  // namespace
 
-std::vector<Choice> nextGroup(Policy& policy, const Situation& situation, std::size_t most) {
-  if (!policy.usesConflicts()) return nextInOrder(policy, situation, most);
-  const auto first = most > 0 ? policy.next(situation) : std::nullopt;
+std::vector<Choice> nextGroup(Policy& policy, const Situation& situation,
+                              std::size_t max_candidates) {
+  if (!policy.usesConflicts()) return nextInOrder(policy, situation, max_candidates);
+  const auto first = max_candidates > 0 ? policy.next(situation) : std::nullopt;
   if (!first) return {};
   std::vector<Choice> chosen = {*first};
   Group group(policy, situation);
   group.add(first->candidate);
-  while (chosen.size() < most && group.undecided() > kWorthALine) {
+  while (chosen.size() < max_candidates && group.undecided() > kMinUndecided) {
     const auto candidate = group.nextCandidate();
     if (!candidate) break;
     chosen.push_back({*candidate, smallestLiveConflict(situation, *candidate)});

@@ -9,21 +9,22 @@
 
 namespace goal_alignment::questions {
 
-/// Values this close are one value: they are sums of the same products in another order.
+/// Values this close count as equal: they are sums of the same products in another order.
 constexpr double kTolerance = 1e-11;
 
-/// For policies that ask inside conflicts only: the open members of every live conflict, by the
-/// index of the conflict. Nothing where the dialogue has ended: every conflict is hit by a NO, or
-/// one that is not has no open member left.
+/// A conflict that no NO has hit, and its members that nobody has answered yet.
 struct LiveConflict {
-  std::size_t conflict = 0;
+  std::size_t conflict = 0;  ///< index in Situation::conflicts
   std::vector<std::size_t> open;
 };
+
+/// For policies that only ask inside conflicts: every live conflict. Empty where the dialogue has
+/// ended: every conflict is hit by a NO, or one that is not has no open member left.
 std::vector<LiveConflict> liveConflicts(const Situation& situation);
 
-/// One of several candidates that are equally good to ask: one whose reason is proven where there
-/// is one, by chance among those.
-Choice anyOf(const std::vector<std::size_t>& candidates, const Situation& situation,
-             RandomSource& random);
+/// Chooses one of several candidates that are equally good to ask, at random among those whose
+/// reason is proven, or among all where no reason is. `candidates` must not be empty.
+Choice chooseAmong(const std::vector<std::size_t>& candidates, const Situation& situation,
+                   RandomSource& random);
 
 }  // namespace goal_alignment::questions

@@ -22,14 +22,14 @@ void MonotoneDnf::add(CandidateMask set) {
 }
 
 MonotoneDnf MonotoneDnf::ifWanted(std::size_t candidate) const {
-  const CandidateMask bit = bitOf(candidate);
+  const CandidateMask bit = maskOf(candidate);
   MonotoneDnf result;
   result.sets_.reserve(sets_.size());
   for (const CandidateMask set : sets_) {
     if (set == bit) return {};
     if ((set & bit) != 0) result.sets_.push_back(set & ~bit);
   }
-  // What has shrunk stays without one another; only the rest may have come to hold one of it.
+  // No set that has shrunk contains another one that has; only the rest may contain one now.
   const std::size_t shrunk = result.sets_.size();
   for (const CandidateMask set : sets_) {
     if ((set & bit) != 0) continue;
@@ -46,7 +46,7 @@ MonotoneDnf MonotoneDnf::ifNotWanted(std::size_t candidate) const {
   MonotoneDnf result;
   result.sets_.reserve(sets_.size());
   for (const CandidateMask set : sets_) {
-    if ((set & bitOf(candidate)) == 0) result.sets_.push_back(set);
+    if ((set & maskOf(candidate)) == 0) result.sets_.push_back(set);
   }
   return result;
 }

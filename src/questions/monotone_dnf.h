@@ -7,19 +7,19 @@
 
 namespace goal_alignment::questions {
 
-/// A set of up to 64 open candidates, one a bit.
+/// A set of up to 64 open candidates: bit i is candidate i.
 using CandidateMask = std::uint64_t;
 
-inline constexpr std::size_t kMaxBits = 64;
+inline constexpr std::size_t kMaxCandidates = 64;
 
-inline CandidateMask bitOf(std::size_t candidate) {
+inline CandidateMask maskOf(std::size_t candidate) {
   return CandidateMask{1} << candidate;
 }
-inline std::size_t countBits(CandidateMask bits) {
+inline std::size_t candidateCount(CandidateMask bits) {
   return static_cast<std::size_t>(__builtin_popcountll(bits));
 }
-/// The lowest bit's index; there must be one.
-inline std::size_t firstBit(CandidateMask bits) {
+/// The candidate of the lowest bit; the set must not be empty.
+inline std::size_t firstCandidate(CandidateMask bits) {
   return static_cast<std::size_t>(__builtin_ctzll(bits));
 }
 /// for (CandidateMask left = set; left != 0; left = clearLowestBit(left)) … firstBit(left) …
@@ -27,7 +27,7 @@ inline CandidateMask clearLowestBit(CandidateMask bits) {
   return bits & (bits - 1);
 }
 
-/// Spreads a number over 64 bits, as if by chance (Steele, Lea & Flood, "Fast splittable
+/// Mixes the bits of a number: the finalizer of SplitMix64 (Steele, Lea & Flood, "Fast splittable
 /// pseudorandom number generators", OOPSLA 2014).
 inline std::uint64_t spread(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U;
@@ -36,7 +36,7 @@ inline std::uint64_t spread(std::uint64_t x) {
   return x ^ (x >> 31U);
 }
 
-/// What makes two DNFs the same one, up to a chance of 2^-100.
+/// Two DNFs are equal where their keys are, up to a chance of about 2^-100.
 struct DnfKey {
   std::uint64_t low = 0;
   std::uint64_t high = 0;
@@ -45,16 +45,17 @@ struct DnfKey {
 
 void addTo(DnfKey& key, CandidateMask set);
 
-/// The state of a dialogue: is one of these sets all wanted? None of them is empty or within
-/// another. No set at all: the dialogue is over.
+/// The state of a dialogue as the question that it has to answer: is all of one of these sets
+/// wanted? No set is empty or a superset of another. Without sets the dialogue is over.
 class MonotoneDnf {
  public:
-  /// Adds a set, unless one within it is there; drops those that it is within. O(sets).
+  /// Adds a set unless it is a superset of one that is there; drops its supersets. O(sets).
   void add(CandidateMask set);
 
-  /// After YES: sets shrink, which may end it or make others superfluous. O(sets²) at worst.
+  /// What is left to answer after a YES: sets shrink, which may end the dialogue or make others
+  /// superfluous. O(sets²) in the worst case.
   MonotoneDnf ifWanted(std::size_t candidate) const;
-  /// After NO: sets go. O(sets).
+  /// What is left to answer after a NO: the sets with the candidate go. O(sets).
   MonotoneDnf ifNotWanted(std::size_t candidate) const;
 
   bool empty() const { return sets_.empty(); }

@@ -10,35 +10,35 @@ namespace goal_alignment::questions {
 
 namespace {
 
-/// From here on the doubt about the outcome guides better than P/E: on random DNFs of 30
-/// candidates, each wanted with a chance of 0.02 to 0.22, by 4 % fewer questions; below, both ask
-/// the same number or P/E fewer (benchmark/questions_benchmark.cpp).
-constexpr double kLikely = 0.3;
+/// From this P(no) on entropy is a better guide than P/E: on random DNFs of 30 candidates, each
+/// wanted with a chance of 0.02 to 0.22, it asks 4 % fewer questions; below, it asks as many or
+/// more (benchmark/questions_benchmark.cpp).
+constexpr double kMinChanceOfNo = 0.3;
 
 }  // namespace
 
 std::optional<Choice> OptimalPolicy::next(const Situation& situation) {
   const std::vector<LiveConflict> live = liveConflicts(situation);
   if (live.empty()) return std::nullopt;
-  if (!giveBits(live, situation)) return ratio_.next(situation);
+  if (!assignBits(live, situation)) return ratio_.next(situation);
   const MonotoneDnf dnf = dnfOf(live);
   const CandidateMask first = cost_->bestFirst(dnf, work_).value_or(0);
   if (first != 0) return choiceOf(first, situation);
-  if (chanceOfNo(dnf, cost_->chances()) < kLikely) return ratio_.next(situation);
-  const CandidateMask informative = leavingLeastDoubt(dnf, cost_->chances());
+  if (chanceOfNo(dnf, cost_->chances()) < kMinChanceOfNo) return ratio_.next(situation);
+  const CandidateMask informative = mostInformative(dnf, cost_->chances());
   return informative != 0 ? choiceOf(informative, situation) : ratio_.next(situation);
 }
 
-Choice OptimalPolicy::choiceOf(CandidateMask bits, const Situation& situation) {
+Choice OptimalPolicy::choiceOf(CandidateMask set, const Situation& situation) {
   std::vector<std::size_t> candidates;
-  for (CandidateMask left = bits; left != 0; left = clearLowestBit(left))
-    candidates.push_back(candidate_of_[firstBit(left)]);
-  return anyOf(candidates, situation, random_);
+  for (CandidateMask left = set; left != 0; left = clearLowestBit(left))
+    candidates.push_back(candidate_of_[firstCandidate(left)]);
+  return chooseAmong(candidates, situation, random_);
 }
 
-/// False where there are more candidates than bits. Begins anew where a candidate has no bit yet,
-/// or another probability than when it got it.
-bool OptimalPolicy::giveBits(const std::vector<LiveConflict>& live, const Situation& situation) {
+/// Returns false where there are more candidates than bits. Assigns all bits anew where a candidate
+/// has none yet or its probability has changed since it got one.
+bool OptimalPolicy::assignBits(const std::vector<LiveConflict>& live, const Situation& situation) {
   std::set<std::pair<double, std::size_t>> rising;
   bool fits = cost_.has_value();
   for (const LiveConflict& conflict : live) {
@@ -50,7 +50,7 @@ bool OptimalPolicy::giveBits(const std::vector<LiveConflict>& live, const Situat
     }
   }
   if (fits) return true;
-  if (rising.size() > kMaxBits) return false;
+  if (rising.size() > kMaxCandidates) return false;
   candidate_of_.clear();
   bit_of_.clear();
   std::vector<double> chances;
@@ -68,7 +68,7 @@ MonotoneDnf OptimalPolicy::dnfOf(const std::vector<LiveConflict>& live) const {
   for (const LiveConflict& conflict : live) {
     CandidateMask set = 0;
     for (const std::size_t f : conflict.open)
-      set |= bitOf(bit_of_.at(f));
+      set |= maskOf(bit_of_.at(f));
     dnf.add(set);
   }
   return dnf;

@@ -15,31 +15,31 @@
 
 namespace goal_alignment::questions {
 
-/// Asks so that the expected number of questions is least, where that can be computed within the
-/// work allowed for one decision and at most 64 candidates matter. Otherwise as RatioPolicy does
-/// or, where everything not wanted is likely to hit all conflicts, what leaves least doubt about
-/// that. Work is counted, not timed, so that a seed replays.
+/// Minimises the expected number of questions where that can be computed within the work allowed
+/// for one decision and at most 64 candidates matter. Otherwise asks as RatioPolicy does or, where
+/// it is likely that the answers hit all conflicts, what leaves the least uncertainty about that.
+/// Work is counted, not timed, so that a seed replays.
 class OptimalPolicy : public Policy {
  public:
   /// About a second.
   static constexpr std::uint64_t kWork = 100'000'000;
 
-  explicit OptimalPolicy(const PolicyContext& setting, std::uint64_t work = kWork)
-      : work_(work), poll_(setting.poll), random_(setting.seed), ratio_(setting) {}
+  explicit OptimalPolicy(const PolicyContext& context, std::uint64_t work = kWork)
+      : work_(work), poll_(context.poll), random_(context.seed), ratio_(context) {}
   std::optional<Choice> next(const Situation& situation) override;
   bool usesConflicts() const override { return true; }
 
  private:
-  bool giveBits(const std::vector<LiveConflict>& live, const Situation& situation);
+  bool assignBits(const std::vector<LiveConflict>& live, const Situation& situation);
   MonotoneDnf dnfOf(const std::vector<LiveConflict>& live) const;
-  Choice choiceOf(CandidateMask bits, const Situation& situation);
+  Choice choiceOf(CandidateMask set, const Situation& situation);
 
   std::uint64_t work_;
   std::function<void()> poll_;
   RandomSource random_;
   RatioPolicy ratio_;
-  // Each candidate that was ever open in a live conflict keeps its bit, so that what is remembered
-  // stays true when conflicts are hit or found.
+  // Each candidate that was ever open in a live conflict keeps its bit, so that what cost_
+  // remembers stays valid when conflicts are hit or found.
   std::vector<std::size_t> candidate_of_;
   std::map<std::size_t, std::size_t> bit_of_;
   std::optional<ExpectedCost> cost_;

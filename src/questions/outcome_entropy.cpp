@@ -17,7 +17,7 @@ double logOfNo(const MonotoneDnf& dnf, const Chances& p) {
   for (const CandidateMask set : dnf) {
     double all = 1;
     for (CandidateMask left = set; left != 0; left = clearLowestBit(left))
-      all *= p[firstBit(left)];
+      all *= p[firstCandidate(left)];
     sum += std::log1p(-all);
   }
   return sum;
@@ -26,8 +26,8 @@ double logOfNo(const MonotoneDnf& dnf, const Chances& p) {
 double entropy(const MonotoneDnf& dnf, const Chances& p) {
   const double log_of_no = logOfNo(dnf, p);
   const double yes = -std::expm1(log_of_no);
-  const double doubt_of_yes = yes > 0 ? -yes * std::log(yes) : 0;
-  return doubt_of_yes - (yes < 1 ? (1 - yes) * log_of_no : 0);
+  const double entropy_of_yes = yes > 0 ? -yes * std::log(yes) : 0;
+  return entropy_of_yes - (yes < 1 ? (1 - yes) * log_of_no : 0);
 }
 
 }  // namespace
@@ -36,18 +36,18 @@ double chanceOfNo(const MonotoneDnf& dnf, const Chances& p) {
   return std::exp(logOfNo(dnf, p));
 }
 
-CandidateMask leavingLeastDoubt(const MonotoneDnf& dnf, const Chances& p) {
+CandidateMask mostInformative(const MonotoneDnf& dnf, const Chances& p) {
   if (!(entropy(dnf, p) > 0)) return 0;
-  double least = std::numeric_limits<double>::infinity();
+  double lowest = std::numeric_limits<double>::infinity();
   CandidateMask result = 0;
   for (CandidateMask left = dnf.all(); left != 0; left = clearLowestBit(left)) {
-    const std::size_t f = firstBit(left);
-    const double doubt =
+    const std::size_t f = firstCandidate(left);
+    const double expected =
         p[f] * entropy(dnf.ifWanted(f), p) + (1 - p[f]) * entropy(dnf.ifNotWanted(f), p);
-    if (doubt > least * (1 + kTolerance)) continue;
-    if (doubt < least * (1 - kTolerance)) result = 0;
-    least = std::min(least, doubt);
-    result |= bitOf(f);
+    if (expected > lowest * (1 + kTolerance)) continue;
+    if (expected < lowest * (1 - kTolerance)) result = 0;
+    lowest = std::min(lowest, expected);
+    result |= maskOf(f);
   }
   return result;
 }

@@ -5,15 +5,15 @@
 
 namespace goal_alignment::questions {
 
-/// P(the dialogue ends with NO), as if the sets were independent of each other: what Harris (1960)
-/// has for the least it can be.
+/// P(the dialogue ends with NO) as if the sets were independent of each other: a lower bound
+/// (Harris, 1960).
 double chanceOfNo(const MonotoneDnf& dnf, const Chances& p);
 
-/// The candidates whose answer is expected to leave least doubt whether the dialogue ends with YES
-/// or NO; none where there is no doubt now. One step of look-ahead: O(candidates · sets · size),
-/// and sets² at worst. Guides well where NO is likely: what many unlikely sets share goes first,
-/// which one set's P/E does not see. Where YES is all but certain every answer leaves the same
-/// doubt.
-CandidateMask leavingLeastDoubt(const MonotoneDnf& dnf, const Chances& p);
+/// The candidates whose answer minimises the expected entropy of how the dialogue ends, YES or NO;
+/// none where that is certain already. One step of look-ahead: O(candidates · sets · size), in the
+/// worst case times the sets. A good guide where NO is likely: it asks first what many unlikely
+/// sets share, which the P/E of one set does not see. Where YES is all but certain every answer
+/// leaves the same entropy.
+CandidateMask mostInformative(const MonotoneDnf& dnf, const Chances& p);
 
 }  // namespace goal_alignment::questions

@@ -28,17 +28,17 @@ std::vector<double> valueOfQuery(const std::vector<double>& belief,
 
 void PaperPolicy::fillQueue() {
   queue_filled_ = true;
-  const std::vector<bool> unachievable = setting_.unachievable_alone();
+  const std::vector<bool> unachievable = context_.unachievable_alone();
   // With an empty F̂ every value is 1 whatever the beliefs are, so they need not be computed.
   const bool all_equal =
       std::none_of(unachievable.begin(), unachievable.end(), [](bool b) { return b; });
   const std::vector<double> value = all_equal
                                         ? std::vector<double>(unachievable.size(), 1)
-                                        : valueOfQuery(setting_.paper_beliefs(), unachievable);
+                                        : valueOfQuery(context_.paper_beliefs(), unachievable);
   for (std::size_t f = 0; f < value.size(); ++f) {
-    if (setting_.ask_static || !setting_.is_static[f]) queue_.push_back(f);
+    if (context_.ask_static || !context_.is_static[f]) queue_.push_back(f);
   }
-  RandomSource random(setting_.seed);
+  RandomSource random(context_.seed);
   for (std::size_t i = queue_.size(); i > 1; --i)
     std::swap(queue_[i - 1], queue_[random.below(i)]);
   std::stable_sort(queue_.begin(), queue_.end(), [&](std::size_t a, std::size_t b) {

@@ -7,18 +7,18 @@
 
 namespace goal_alignment::questions {
 
-/// The published algorithm (goal-alignment.tex, Algorithm 1) to the letter: one queue over S^H
+/// The published Algorithm 1 to the letter: one queue over S^H
 /// \ G^H by falling V^Q, ties at random. Its stopping tests are the session's own.
 class PaperPolicy : public Policy {
  public:
-  explicit PaperPolicy(PolicyContext setting) : setting_(std::move(setting)) {}
+  explicit PaperPolicy(PolicyContext context) : context_(std::move(context)) {}
   std::optional<Choice> next(const Situation& situation) override;
   bool usesConflicts() const override { return false; }
 
  private:
   void fillQueue();
 
-  PolicyContext setting_;
+  PolicyContext context_;
   bool queue_filled_ = false;
   std::vector<std::size_t> queue_;  // the next question stands last
 };

@@ -16,8 +16,8 @@ namespace goal_alignment::questions {
 namespace {
 
 template <typename Kind>
-std::unique_ptr<Policy> make(PolicyContext setting) {
-  return std::make_unique<Kind>(std::move(setting));
+std::unique_ptr<Policy> make(PolicyContext context) {
+  return std::make_unique<Kind>(std::move(context));
 }
 
 struct Entry {
@@ -43,10 +43,10 @@ std::vector<std::string> policyNames() {
   return names;
 }
 
-std::unique_ptr<Policy> makePolicy(const std::string& name, PolicyContext setting) {
+std::unique_ptr<Policy> makePolicy(const std::string& name, PolicyContext context) {
   std::string known;
   for (const Entry& entry : kPolicies) {
-    if (name == entry.name) return entry.make(std::move(setting));
+    if (name == entry.name) return entry.make(std::move(context));
     known += (known.empty() ? "" : ", ") + std::string(entry.name);
   }
   throw std::invalid_argument("unknown policy '" + name + "'; there are: " + known);

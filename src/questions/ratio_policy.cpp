@@ -28,45 +28,46 @@ double logRatio(std::vector<double> probability) {
   return log_all - std::log(cost);
 }
 
-bool same(double a, double b) {
+bool nearlyEqual(double a, double b) {
   return a == b || std::abs(a - b) <= kTolerance * std::max(1.0, std::abs(a));
 }
 
-/// The members of live conflicts of the highest ratio that are the least likely there.
-std::vector<std::size_t> leastLikelyOfBest(const std::vector<LiveConflict>& live,
-                                           const std::vector<double>& probability) {
+/// The least likely members of the live conflicts with the highest ratio.
+std::vector<std::size_t> leastLikelyInBestConflicts(const std::vector<LiveConflict>& live,
+                                                    const std::vector<double>& probability) {
   double best = -std::numeric_limits<double>::infinity();
   std::set<std::size_t> chosen;
   for (const LiveConflict& conflict : live) {
     std::vector<double> of_members;
     for (const std::size_t f : conflict.open)
       of_members.push_back(probability[f]);
-    const double least = *std::min_element(of_members.begin(), of_members.end());
+    const double lowest = *std::min_element(of_members.begin(), of_members.end());
     const double ratio = logRatio(std::move(of_members));
-    if (ratio < best && !same(ratio, best)) continue;
-    if (!same(ratio, best)) chosen.clear();
+    if (ratio < best && !nearlyEqual(ratio, best)) continue;
+    if (!nearlyEqual(ratio, best)) chosen.clear();
     best = std::max(best, ratio);
     for (const std::size_t f : conflict.open) {
-      if (probability[f] <= least + kTolerance * least) chosen.insert(f);
+      if (probability[f] <= lowest + kTolerance * lowest) chosen.insert(f);
     }
   }
   return {chosen.begin(), chosen.end()};
 }
 
-/// Those in the most live conflicts: one NO settles them all.
-std::vector<std::size_t> inMost(const std::vector<LiveConflict>& live, std::size_t candidates,
-                                const std::vector<std::size_t>& among) {
+/// The candidates in the most live conflicts, all of which one NO settles.
+std::vector<std::size_t> inMostConflicts(const std::vector<LiveConflict>& live,
+                                         std::size_t candidates,
+                                         const std::vector<std::size_t>& among) {
   std::vector<std::size_t> degree(candidates);
   for (const LiveConflict& conflict : live) {
     for (const std::size_t f : conflict.open)
       ++degree[f];
   }
-  std::size_t most = 0;
+  std::size_t max_degree = 0;
   for (const std::size_t f : among)
-    most = std::max(most, degree[f]);
+    max_degree = std::max(max_degree, degree[f]);
   std::vector<std::size_t> result;
   std::copy_if(among.begin(), among.end(), std::back_inserter(result),
-               [&](std::size_t f) { return degree[f] == most; });
+               [&](std::size_t f) { return degree[f] == max_degree; });
   return result;
 }
 
@@ -75,8 +76,9 @@ std::vector<std::size_t> inMost(const std::vector<LiveConflict>& live, std::size
 std::optional<Choice> RatioPolicy::next(const Situation& situation) {
   const std::vector<LiveConflict> live = liveConflicts(situation);
   if (live.empty()) return std::nullopt;
-  const auto least_likely = leastLikelyOfBest(live, situation.probability);
-  return anyOf(inMost(live, situation.knowledge.size(), least_likely), situation, random_);
+  const auto least_likely = leastLikelyInBestConflicts(live, situation.probability);
+  return chooseAmong(inMostConflicts(live, situation.knowledge.size(), least_likely), situation,
+                     random_);
 }
 
 }  // namespace goal_alignment::questions

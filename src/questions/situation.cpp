@@ -65,8 +65,8 @@ std::vector<LiveConflict> liveConflicts(const Situation& situation) {
   return live;
 }
 
-Choice anyOf(const std::vector<std::size_t>& candidates, const Situation& situation,
-             RandomSource& random) {
+Choice chooseAmong(const std::vector<std::size_t>& candidates, const Situation& situation,
+                   RandomSource& random) {
   std::vector<Choice> choices;
   bool proven = false;
   for (const std::size_t f : candidates) {

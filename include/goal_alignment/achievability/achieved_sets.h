@@ -8,8 +8,8 @@
 
 namespace goal_alignment::achievability {
 
-/// The largest sets of candidates known to be had together with the specified goal, each with a
-/// plan.
+/// The maximal sets of candidates known to be achievable together with the specified goal, each
+/// with a plan.
 class AchievedSets {
  public:
   struct Achieved {
@@ -17,14 +17,15 @@ class AchievedSets {
     task::Plan plan;
   };
 
-  /// Whether a set at least as large is known. O(sets · candidates / 64).
+  /// A known set that contains this one, or null. O(sets · candidates / 64).
   const Achieved* covering(const CandidateSet& set) const;
 
-  /// Adds the set unless it is covered, and drops those it covers.
+  /// Adds the set unless it is covered, and drops the sets that it covers. O(sets · candidates /
+  /// 64).
   void add(const CandidateSet& set, task::Plan plan);
 
-  /// The same for many, none of which covers another. O(old sets · new sets), where add() for each
-  /// would be quadratic in the new ones.
+  /// Adds many sets, none of which covers another. O(old sets · new sets), where calling add() for
+  /// each would be quadratic in the new ones.
   void addMaximal(std::vector<Achieved> maximal);
 
   const std::vector<Achieved>& all() const { return sets_; }

@@ -11,7 +11,7 @@ namespace goal_alignment::achievability {
 /// A set of candidates, by their index.
 using CandidateSet = boost::dynamic_bitset<std::uint64_t>;
 
-/// The indices in the set, rising.
+/// The indices in the set in ascending order.
 inline std::vector<std::size_t> members(const CandidateSet& set) {
   std::vector<std::size_t> result;
   for (std::size_t i = set.find_first(); i != CandidateSet::npos; i = set.find_next(i)) {
@@ -23,7 +23,7 @@ inline std::vector<std::size_t> members(const CandidateSet& set) {
 /// A set of candidates that cannot be had together with the specified goal.
 struct Conflict {
   CandidateSet members;
-  bool proven = true;    ///< false: suspected, the limits left it open
+  bool proven = true;    ///< false: suspected, since the limits left it undecided
   bool minimal = false;  ///< proven that every proper subset can be had
 };
 

@@ -19,8 +19,8 @@ struct AnswerEffect {
     Undecided,  ///< a conflict is left that no answer settles any more
   };
   Ending ending = Ending::Open;
-  std::size_t settled = 0;  ///< other candidates that matter now and then would not
-  std::size_t left = 0;     ///< other candidates that then may still be asked about
+  std::size_t settled = 0;  ///< other candidates that matter now and would no longer do so
+  std::size_t left = 0;     ///< other candidates that may still be asked about afterwards
 };
 
 /// What follows when all of `candidates` get this answer. O(conflicts · candidates).

@@ -8,23 +8,25 @@
 
 namespace goal_alignment::questions {
 
-/// How many more candidates a person would rather look at than be asked once more: a line to read
-/// takes a second or two, an interruption several times that.
+/// How many lines a person would rather read than be interrupted once more: a line takes a second
+/// or two, an interruption several times that.
 inline constexpr double kLinesPerRound = 5;
 
-/// One more line costs 1 where the outcome was decided without it, and nothing where it was not,
-/// for it would be shown in the next round; at best it saves a round wherever the outcome was not
-/// decided. So it pays as long as P(undecided) · kLinesPerRound > 1 − P(undecided).
-inline constexpr double kWorthALine = 1 / (1 + kLinesPerRound);
+/// Up to which P(the outcome is undecided) one more line pays. It costs 1 where the outcome was
+/// decided without it, and nothing where it was not, since it would be shown in the next round;
+/// there it saves a round at best. So it pays as long as P(undecided) · kLinesPerRound > 1 −
+/// P(undecided).
+inline constexpr double kMinUndecided = 1 / (1 + kLinesPerRound);
 
-/// What one question "which of these matter to you?" offers: `most` candidates at most (1: what
-/// `policy` asks next), each once and with its own reason; what the person does not name does not
-/// matter to them. Empty: nothing is left to ask. Meant to end the dialogue in few rounds without
-/// showing many candidates.
+/// What one question "which of these matter to you?" offers: at most `max_candidates` candidates
+/// (1: what `policy` asks next), each once and with its own reason; what the person does not name
+/// does not matter to them. Empty where nothing is left to ask. Meant to end the dialogue in few
+/// rounds without showing many candidates.
 ///
 /// Adds what the policy would ask at the likeliest combination of answers to the group that leaves
-/// the outcome open, as long as P(undecided) is above kWorthALine. Policies without conflicts offer
-/// what comes next in their order. Calls policy.next() `most` times at most.
-std::vector<Choice> nextGroup(Policy& policy, const Situation& situation, std::size_t most);
+/// the outcome open, as long as P(undecided) is above kMinUndecided. Policies without conflicts
+/// offer what comes next in their order. Calls policy.next() at most `max_candidates` times.
+std::vector<Choice> nextGroup(Policy& policy, const Situation& situation,
+                              std::size_t max_candidates);
 
 }  // namespace goal_alignment::questions

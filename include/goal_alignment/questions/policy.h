@@ -23,7 +23,7 @@ struct Situation {
   std::vector<double> probability;                 ///< p(f ∈ G*)
   std::vector<achievability::Conflict> conflicts;  ///< all that are known
 
-  /// No fluent of it was answered NO: its answers still decide something.
+  /// Whether no candidate of it was answered NO, so that its answers still decide something.
   bool isLive(const achievability::Conflict& conflict) const;
   /// How many of its candidates nobody has answered yet.
   std::size_t openMembers(const achievability::Conflict& conflict) const;
@@ -41,7 +41,7 @@ struct Choice {
   std::optional<std::size_t> conflict;  ///< index in Situation::conflicts
 };
 
-/// One way to choose questions. A policy sees one dialogue from its begin to its end.
+/// One way to choose questions. A policy object serves one dialogue from its beginning to its end.
 class Policy {
  public:
   virtual ~Policy() = default;
@@ -54,20 +54,20 @@ class Policy {
   virtual bool usesConflicts() const = 0;
 };
 
-/// What a policy is made from. The functions are called when a policy needs what they give, for
-/// they may search.
+/// What a policy is made from. The functions may search, so they are called only when a policy
+/// needs what they return.
 struct PolicyContext {
   std::vector<bool> is_static;  ///< by candidate
   bool ask_static = true;       ///< whether policies without conflicts ask about those
   std::uint64_t seed = 0;       ///< breaks ties
-  std::function<std::vector<double>()> paper_beliefs;     ///< p as Algorithm 1 has it
+  std::function<std::vector<double>()> paper_beliefs;  ///< p(f ∈ G*) as Algorithm 1 computes it
   std::function<std::vector<bool>()> unachievable_alone;  ///< F̂
   /// Called every millisecond or so while a policy computes; may throw to make next() end.
   std::function<void()> poll;
 };
 
-/// Throws std::invalid_argument that names the policies there are.
-std::unique_ptr<Policy> makePolicy(const std::string& name, PolicyContext setting);
+/// Throws std::invalid_argument for an unknown name, with the names that there are.
+std::unique_ptr<Policy> makePolicy(const std::string& name, PolicyContext context);
 
 /// The names makePolicy() knows, in the order of the documentation.
 std::vector<std::string> policyNames();

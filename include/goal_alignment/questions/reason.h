@@ -8,7 +8,7 @@
 
 namespace goal_alignment::questions {
 
-/// What makes the answer about a fluent matter.
+/// Why the answer about a fluent matters.
 struct Reason {
   std::vector<Literal> conflict;  ///< a live conflict with the fluent; may be empty under the
                                   ///< policies `paper` and `ask-all`

@@ -34,7 +34,7 @@ RC_GTEST_PROP(Achievability, CheckEqualsBruteForceForEverySubset, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random, 7);
   RC_LOG() << samples::text(hagl);
-  for (const SearchBudget& budget : samples::ways()) {
+  for (const SearchBudget& budget : samples::stageBudgets()) {
     const auto robot = make(hagl, budget);
     // From a random one on: what is remembered must not depend on the order of the questions.
     const CandidateBits offset = random.below(hagl.all() + 1);

@@ -70,7 +70,7 @@ RC_GTEST_PROP(Alternatives, EqualBruteForceInTheOrderOfBelief, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   RC_LOG() << samples::text(hagl);
-  for (SearchBudget budget : samples::ways()) {
+  for (SearchBudget budget : samples::stageBudgets()) {
     if (budget.second_greedy == 1) budget.first_greedy = 1'000'000;
     const auto robot = make(hagl, budget);
     if (oracles::chance(random, 0.3)) robot->findAllConflicts({});
@@ -78,9 +78,10 @@ RC_GTEST_PROP(Alternatives, EqualBruteForceInTheOrderOfBelief, ()) {
       const CandidateBits wanted = i == 0 ? hagl.all() : random.below(hagl.all() + 1);
       const std::vector<double> belief = drawBelief(random, hagl.size());
       const std::set<CandidateBits> expected = minimalToGiveUp(hagl, wanted);
-      const std::size_t most = oracles::chance(random, 0.5) ? 1000 : 1 + random.below(3);
-      const auto found = bits(robot->alternatives(setOf(hagl.size(), wanted), belief, most, {}));
-      RC_ASSERT(found.size() == std::min(most, expected.size()));
+      const std::size_t max_sets = oracles::chance(random, 0.5) ? 1000 : 1 + random.below(3);
+      const auto found =
+          bits(robot->alternatives(setOf(hagl.size(), wanted), belief, max_sets, {}));
+      RC_ASSERT(found.size() == std::min(max_sets, expected.size()));
       RC_ASSERT(isOrdered(found, belief));
       for (const CandidateBits set : found)
         RC_ASSERT(expected.count(set) == 1U);

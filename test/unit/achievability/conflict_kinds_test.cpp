@@ -21,7 +21,7 @@ namespace {
 
 using Names = std::set<std::string>;
 
-struct AskedCandidate {
+struct PosedTask {
   pddl::Model robot;
   std::vector<Literal> specified;
   std::vector<Literal> candidates;
@@ -35,21 +35,21 @@ std::vector<Literal> literals(const std::vector<std::string>& texts) {
   return result;
 }
 
-AskedCandidate posed(const std::string& domain, const std::string& problem,
-                     const std::vector<std::string>& specified,
-                     const std::vector<std::string>& candidates) {
+PosedTask posed(const std::string& domain, const std::string& problem,
+                const std::vector<std::string>& specified,
+                const std::vector<std::string>& candidates) {
   return {pddl::readModel({"domain.pddl", domain}, {"problem.pddl", problem}), literals(specified),
           literals(candidates)};
 }
 
-std::unique_ptr<Achievability> robotOf(const AskedCandidate& task, const SearchBudget& budget) {
+std::unique_ptr<Achievability> robotOf(const PosedTask& task, const SearchBudget& budget) {
   std::vector<Literal> goals = task.specified;
   goals.insert(goals.end(), task.candidates.begin(), task.candidates.end());
   return std::make_unique<Achievability>(grounding::ground(task.robot, goals, {}, {}),
                                          task.specified, task.candidates, budget, Limits{});
 }
 
-std::set<Names> conflictsOf(const AskedCandidate& task, const Achievability& robot) {
+std::set<Names> conflictsOf(const PosedTask& task, const Achievability& robot) {
   std::set<Names> result;
   for (const Conflict& conflict : robot.conflicts()) {
     EXPECT_TRUE(conflict.proven && conflict.minimal);
@@ -62,8 +62,8 @@ std::set<Names> conflictsOf(const AskedCandidate& task, const Achievability& rob
 }
 
 /// Whichever way is taken, exactly these are found.
-void expectConflicts(const AskedCandidate& task, const std::set<Names>& expected) {
-  for (SearchBudget budget : samples::ways()) {
+void expectConflicts(const PosedTask& task, const std::set<Names>& expected) {
+  for (SearchBudget budget : samples::stageBudgets()) {
     if (budget.second_greedy == 1) budget.first_greedy = 1'000'000;
     const auto robot = robotOf(task, budget);
     EXPECT_TRUE(robot->findAllConflicts({}));
@@ -166,7 +166,7 @@ const char* const kKitchenProblem = R"((define (problem p) (:domain kitchen)
 // What no action changes: true is never asked about, false is a conflict by itself; and so is what
 // the robot has no word for. None of it is part of another conflict.
 TEST(ConflictKinds, StaticsAndForeignWords) {
-  const AskedCandidate task =
+  const PosedTask task =
       posed(kKitchen, kKitchenProblem, {"(washed cup)"},
             {"(made-of cup glass)", "(made-of cup china)", "(dry pan)", "(dry cup)", "(washed pan)",
              "(broken pan)", "(loved cup)", "(near teapot)", "(near cup)"});
@@ -209,10 +209,9 @@ TEST(ConflictKinds, CountingAmongManyThingsIsProven) {
   size.dishes = 12;
   RandomSource random(3);
   const benchmarks::Models models = benchmarks::household(size, random);
-  const AskedCandidate task =
-      posed(models.domain.text(), models.problemText(), {"(laid-out dish0)"},
-            {"(laid-out dish1)", "(laid-out dish2)", "(shut cupboard0)", "(robot-in room1)",
-             "(idle hand0)"});
+  const PosedTask task = posed(models.domain.text(), models.problemText(), {"(laid-out dish0)"},
+                               {"(laid-out dish1)", "(laid-out dish2)", "(shut cupboard0)",
+                                "(robot-in room1)", "(idle hand0)"});
   SearchBudget budget;
   budget.first_symbolic = 1'000;
   budget.exhaustive = 1'000;

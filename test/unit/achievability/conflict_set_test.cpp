@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/achievability/conflict_set.h"
+#include "achievability/conflict_set.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <rapidcheck/gtest.h>
+
 #include <cstdint>
 #include <memory>
 #include <set>
@@ -14,9 +16,9 @@
 /// What the tests of `achievability` share.
 namespace goal_alignment::achievability::samples {
 
-/// Budgets that take each way through check(): greedy search, the sweeps through the reachable
-/// states, and greedy search after sweeps that did not finish.
-inline std::vector<SearchBudget> ways() {
+/// Budgets that make each stage of a proof the one that answers: greedy search, each of the sweeps
+/// through the reachable states, and greedy search after sweeps that did not finish.
+inline std::vector<SearchBudget> stageBudgets() {
   return {SearchBudget{},          {100'000, 1, 1, 1, 1},   {1, 1'000'000, 1, 1, 1},
           {1, 1, 1'000'000, 1, 1}, {1, 1, 1, 1'000'000, 1}, {1, 1, 1, 1, 1'000'000, 3}};
 }
@@ -40,6 +42,19 @@ inline std::set<oracles::CandidateBits> provenConflicts(const Achievability& rob
     if (conflict.proven) sets.insert(conflict.members.to_ulong());
   }
   return sets;
+}
+
+/// What is known must be true, however little was searched.
+inline void requireSound(const oracles::Hagl& hagl, const Achievability& robot) {
+  const std::set<oracles::CandidateBits> minimal = hagl.minimalConflicts();
+  for (const Conflict& conflict : robot.conflicts()) {
+    const oracles::CandidateBits set = conflict.members.to_ulong();
+    if (conflict.proven) RC_ASSERT(!hagl.achievable(set));
+    if (conflict.minimal) RC_ASSERT(conflict.proven && minimal.count(set) > 0);
+  }
+  for (const auto& achieved : robot.achieved())
+    RC_ASSERT(hagl.achievable(achieved.set.to_ulong()));
+  if (robot.complete()) RC_ASSERT(provenConflicts(robot) == minimal);
 }
 
 /// The four files and the plan, for a failing case.

@@ -13,27 +13,27 @@ using samples::askedAll;
 using samples::conflict;
 using samples::fresh;
 
-PolicyContext setting(bool ask_static) {
-  PolicyContext setting;
-  setting.is_static = {false, true, false, true};
-  setting.ask_static = ask_static;
-  return setting;
+PolicyContext contextWith(bool ask_static) {
+  PolicyContext context;
+  context.is_static = {false, true, false, true};
+  context.ask_static = ask_static;
+  return context;
 }
 
 TEST(AskAllPolicy, AsksEverythingInOrder) {
-  const auto policy = makePolicy("ask-all", setting(true));
+  const auto policy = makePolicy("ask-all", contextWith(true));
   EXPECT_EQ(askedAll(*policy, fresh(4, {}), Knowledge::Wanted),
             (std::vector<std::size_t>{0, 1, 2, 3}));
 }
 
 TEST(AskAllPolicy, LeavesStaticFluentsOutWhereToldTo) {
-  const auto policy = makePolicy("ask-all", setting(false));
+  const auto policy = makePolicy("ask-all", contextWith(false));
   EXPECT_EQ(askedAll(*policy, fresh(4, {}), Knowledge::NotWanted),
             (std::vector<std::size_t>{0, 2}));
 }
 
 TEST(AskAllPolicy, SkipsWhatIsAnsweredAndNamesALiveConflict) {
-  const auto policy = makePolicy("ask-all", setting(true));
+  const auto policy = makePolicy("ask-all", contextWith(true));
   Situation situation = fresh(4, {conflict(4, 0b0110), conflict(4, 0b1000)});
   situation.knowledge[0] = Knowledge::Unsure;
   const auto choice = policy->next(situation);

@@ -51,7 +51,7 @@ std::size_t byBruteForce(Situation situation, const CandidateSet& wanted) {
 
 RC_GTEST_PROP(ClairvoyantMinimum, EqualsBruteForce, ()) {
   RandomSource random = oracles::anySource();
-  const Situation situation = samples::anyFamily(random, 9, 12);
+  const Situation situation = samples::anyUnanswered(random, 9, 12);
   const std::size_t n = situation.knowledge.size();
   const CandidateSet wanted(n, random.below(std::size_t{1} << n));
   RC_ASSERT(clairvoyantMinimum(situation.conflicts, wanted) == byBruteForce(situation, wanted));

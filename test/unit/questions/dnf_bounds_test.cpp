@@ -38,7 +38,7 @@ struct Sample {
 
 Sample anySample() {
   RandomSource random = oracles::anySource();
-  return Sample(samples::anyFamily(random, 7, 10));
+  return Sample(samples::anyUnanswered(random, 7, 10));
 }
 
 RC_GTEST_PROP(MonotoneDnf, HoldsMinimalSetsAndKnowsItselfInAnyOrder, ()) {
@@ -61,17 +61,17 @@ RC_GTEST_PROP(MonotoneDnf, AnswersLeaveWhatAddingAnewWould, ()) {
     MonotoneDnf no;
     bool ended = false;
     for (const CandidateMask set : sample.dnf) {
-      ended = ended || set == bitOf(f);
-      yes.add(set & ~bitOf(f));
-      if ((set & bitOf(f)) == 0) no.add(set);
+      ended = ended || set == maskOf(f);
+      yes.add(set & ~maskOf(f));
+      if ((set & maskOf(f)) == 0) no.add(set);
     }
     RC_ASSERT(sample.dnf.ifNotWanted(f).key() == no.key());
     RC_ASSERT(sample.dnf.ifWanted(f).key() == (ended ? MonotoneDnf() : yes).key());
   }
 }
 
-/// Up to four sets of five candidates, of which three and two are alike.
-Sample anyOfLikes(RandomSource& random) {
+/// Up to four sets of five candidates, of which three and two are equally likely.
+Sample anyOfEquallyLikely(RandomSource& random) {
   Situation situation = samples::fresh(5, {});
   situation.probability = {0.2, 0.2, 0.2, 0.5, 0.5};
   for (std::size_t n = oracles::between(random, 1, 4); n > 0; --n)
@@ -79,22 +79,23 @@ Sample anyOfLikes(RandomSource& random) {
   return Sample(std::move(situation));
 }
 
-RC_GTEST_PROP(FamilySymmetry, WhatSharesAKeyCostsTheSame, ()) {
+RC_GTEST_PROP(DnfSymmetry, WhatSharesAKeyCostsTheSame, ()) {
   RandomSource random = oracles::anySource();
-  const Sample one = anyOfLikes(random);
-  const Sample other = anyOfLikes(random);
-  const bool same = keyUpToNames(one.dnf, one.chances) == keyUpToNames(other.dnf, other.chances);
+  const Sample one = anyOfEquallyLikely(random);
+  const Sample other = anyOfEquallyLikely(random);
+  const bool same =
+      keyUpToRenaming(one.dnf, one.chances) == keyUpToRenaming(other.dnf, other.chances);
   RC_TAG(same ? "same key" : "another key");
   if (same) RC_ASSERT(std::abs(one.best() - other.best()) < 1e-9);
 }
 
-TEST(FamilySymmetry, NamesOfLikesDontMatterOthersDo) {
+TEST(DnfSymmetry, OnlyTheNamesOfEquallyLikelyCandidatesDontMatter) {
   const Chances chances({0.1, 0.2, 0.2, 0.2, 0.2});
   const auto key = [&](std::vector<CandidateMask> sets) {
     MonotoneDnf dnf;
     for (const CandidateMask set : sets)
       dnf.add(set);
-    return keyUpToNames(dnf, chances);
+    return keyUpToRenaming(dnf, chances);
   };
   EXPECT_EQ(key({0b00011, 0b00110}), key({0b10001, 0b11000}));
   EXPECT_EQ(key({0b00110, 0b11000}), key({0b01010, 0b10100}));
@@ -102,44 +103,44 @@ TEST(FamilySymmetry, NamesOfLikesDontMatterOthersDo) {
   EXPECT_FALSE(key({0b00011}) == key({0b00110}));
 }
 
-RC_GTEST_PROP(FamilyBounds, LeastCostIsNeverAboveTheBest, ()) {
+RC_GTEST_PROP(DnfBounds, TheLowerBoundIsNeverAboveTheBest, ()) {
   const Sample sample = anySample();
-  const double bound = leastCost(sample.dnf, sample.chances);
+  const double bound = costLowerBound(sample.dnf, sample.chances);
   RC_LOG() << bound << " against " << sample.best();
   RC_ASSERT(bound > 0);
   RC_ASSERT(bound <= sample.best() * (1 + 1e-9));
 }
 
-RC_GTEST_PROP(FamilyBounds, DisjointCostIsTheBest, ()) {
+RC_GTEST_PROP(DnfBounds, DisjointCostIsTheBest, ()) {
   const Sample sample = anySample();
   RC_PRE(isDisjoint(sample.dnf));
   RC_ASSERT(std::abs(disjointCost(sample.dnf, sample.chances) - sample.best()) < 1e-9);
 }
 
-RC_GTEST_PROP(FamilyBounds, WhatIsCertainlyFirstIsBest, ()) {
+RC_GTEST_PROP(DnfBounds, WhatIsProvablyBestFirstIsBest, ()) {
   const Sample sample = anySample();
-  const CandidateMask first = certainlyFirst(sample.dnf, sample.chances);
+  const CandidateMask first = provablyBestFirst(sample.dnf, sample.chances);
   RC_TAG(first != 0 ? "rule applies" : "no rule");
   for (CandidateMask left = first; left != 0; left = clearLowestBit(left))
-    RC_ASSERT(sample.best(firstBit(left)) < sample.best() + 1e-8);
+    RC_ASSERT(sample.best(firstCandidate(left)) < sample.best() + 1e-8);
 }
 
-RC_GTEST_PROP(FamilyBounds, WhatIsNotWorthAskingHasBetterOrEqualInItsPlace, ()) {
+RC_GTEST_PROP(DnfBounds, AnUndominatedCandidateIsAmongTheBest, ()) {
   const Sample sample = anySample();
-  const CandidateMask worth = worthAsking(sample.dnf, sample.chances);
+  const CandidateMask worth = undominatedCandidates(sample.dnf, sample.chances);
   double best = 1e300;
   for (CandidateMask left = worth; left != 0; left = clearLowestBit(left))
-    best = std::min(best, sample.best(firstBit(left)));
+    best = std::min(best, sample.best(firstCandidate(left)));
   RC_ASSERT(best < sample.best() + 1e-9);
 }
 
-RC_GTEST_PROP(FamilyBounds, WhatIsAlikeCostsTheSame, ()) {
+RC_GTEST_PROP(DnfBounds, EquivalentCandidatesCostTheSame, ()) {
   Sample sample = anySample();
-  const std::size_t f = firstBit(sample.dnf.all());
-  const CandidateMask same = alike(sample.dnf, sample.chances, f);
-  RC_ASSERT((same & bitOf(f)) != 0);
+  const std::size_t f = firstCandidate(sample.dnf.all());
+  const CandidateMask same = equivalentCandidates(sample.dnf, sample.chances, f);
+  RC_ASSERT((same & maskOf(f)) != 0);
   for (CandidateMask left = same; left != 0; left = clearLowestBit(left))
-    RC_ASSERT(std::abs(sample.best(firstBit(left)) - sample.best(f)) < 1e-9);
+    RC_ASSERT(std::abs(sample.best(firstCandidate(left)) - sample.best(f)) < 1e-9);
 }
 
 RC_GTEST_PROP(ExpectedCost, IsThatOfTheBestDialogue, ()) {
@@ -160,7 +161,7 @@ double exactChanceOfNo(const Sample& sample) {
     double chance = 1;
     for (std::size_t f = 0; f < n; ++f) {
       const double p = sample.chances[f];
-      chance *= (wanted & bitOf(f)) != 0 ? p : 1 - p;
+      chance *= (wanted & maskOf(f)) != 0 ? p : 1 - p;
     }
     no += chance;
   }
@@ -178,18 +179,18 @@ RC_GTEST_PROP(OutcomeEntropy, ChanceOfNoIsNeverTooHigh, ()) {
 TEST(OutcomeEntropy, SeesWhatIsSharedHoweverUnlikely) {
   MonotoneDnf star;
   for (std::size_t arm = 1; arm < 10; ++arm)
-    star.add(bitOf(0) | bitOf(arm));
+    star.add(maskOf(0) | maskOf(arm));
   for (const double p : {1e-100, 1e-10, 0.1})
-    EXPECT_EQ(leavingLeastDoubt(star, Chances(std::vector<double>(10, p))), bitOf(0)) << p;
+    EXPECT_EQ(mostInformative(star, Chances(std::vector<double>(10, p))), maskOf(0)) << p;
 }
 
-TEST(OutcomeEntropy, WithoutDoubtNothingIsToBeLearnt) {
+TEST(OutcomeEntropy, WithoutUncertaintyNothingIsInformative) {
   MonotoneDnf dnf;
   dnf.add(0b011);
   dnf.add(0b110);
-  EXPECT_EQ(leavingLeastDoubt(dnf, Chances({0, 0, 0})), 0U);
-  EXPECT_EQ(leavingLeastDoubt(dnf, Chances({1, 1, 1})), 0U);
-  EXPECT_NE(leavingLeastDoubt(dnf, Chances({0, 0.5, 1})), 0U);
+  EXPECT_EQ(mostInformative(dnf, Chances({0, 0, 0})), 0U);
+  EXPECT_EQ(mostInformative(dnf, Chances({1, 1, 1})), 0U);
+  EXPECT_NE(mostInformative(dnf, Chances({0, 0.5, 1})), 0U);
 }
 
 }  // namespace

@@ -51,15 +51,15 @@ struct Effort {
 };
 
 /// Exactly what a dialogue in groups is expected to take.
-Effort expectedEffort(Policy& policy, const Situation& situation, std::size_t most) {
+Effort expectedEffort(Policy& policy, const Situation& situation, std::size_t max_candidates) {
   Effort effort;
   if (oracles::hasEnded(situation)) return effort;
-  const std::vector<Choice> group = nextGroup(policy, situation, most);
+  const std::vector<Choice> group = nextGroup(policy, situation, max_candidates);
   RC_ASSERT(!group.empty());
-  RC_ASSERT(group.size() <= most);
+  RC_ASSERT(group.size() <= max_candidates);
   effort = {1, static_cast<double>(group.size())};
   forEachAnswer(group, situation, [&](const Situation& answered, double probability) {
-    const Effort later = expectedEffort(policy, answered, most);
+    const Effort later = expectedEffort(policy, answered, max_candidates);
     effort.rounds += probability * later.rounds;
     effort.shown += probability * later.shown;
   });
@@ -84,11 +84,11 @@ RC_GTEST_PROP(Grouping, OneAtATimeIsThePolicyAlone, ()) {
 RC_GTEST_PROP(Grouping, OffersOpenFluentsOnceEachWithItsReason, ()) {
   RandomSource random = oracles::anySource();
   const Situation situation = samples::anySituation(random);
-  const std::size_t most = oracles::between(random, 1, 6);
+  const std::size_t max_candidates = oracles::between(random, 1, 6);
   const char* const names[] = {"auto", "ratio", "optimal"};
   const auto group =
-      nextGroup(*policyOf(names[random.below(3)], random.below(10)), situation, most);
-  RC_ASSERT(group.size() <= most);
+      nextGroup(*policyOf(names[random.below(3)], random.below(10)), situation, max_candidates);
+  RC_ASSERT(group.size() <= max_candidates);
   RC_ASSERT(group.empty() == oracles::hasEnded(situation));
   std::set<std::size_t> offered;
   for (const Choice& choice : group) {
@@ -103,28 +103,30 @@ RC_GTEST_PROP(Grouping, OffersOpenFluentsOnceEachWithItsReason, ()) {
 // Up to six candidates there are no more leaves than are kept, so the estimate is exact.
 RC_GTEST_PROP(Grouping, GoesOnWhileTheOutcomeIsLikelyOpen, ()) {
   RandomSource random = oracles::anySource();
-  const Situation situation = samples::anyFamily(random, 9);
-  const std::size_t most = oracles::between(random, 2, 6);
-  auto group = nextGroup(*policyOf("auto", random.below(10)), situation, most);
-  if (group.size() < most) RC_ASSERT(undecidedAfter(group, situation) < kWorthALine + 1e-9);
+  const Situation situation = samples::anyUnanswered(random, 9);
+  const std::size_t max_candidates = oracles::between(random, 2, 6);
+  auto group = nextGroup(*policyOf("auto", random.below(10)), situation, max_candidates);
+  if (group.size() < max_candidates)
+    RC_ASSERT(undecidedAfter(group, situation) < kMinUndecided + 1e-9);
   while (group.size() > 1) {
     group.pop_back();
-    RC_ASSERT(undecidedAfter(group, situation) > kWorthALine - 1e-9);
+    RC_ASSERT(undecidedAfter(group, situation) > kMinUndecided - 1e-9);
   }
 }
 
 RC_GTEST_PROP(Grouping, ExpectsNoMoreRoundsThanAskingOneByOne, ()) {
   RandomSource random = oracles::anySource();
-  const Situation situation = samples::anyFamily(random, 7);
+  const Situation situation = samples::anyUnanswered(random, 7);
   const double least = oracles::BestDialogue(situation).cost(situation.knowledge);
   const auto policy = policyOf("optimal", random.below(10));
   double before = least;
-  for (const std::size_t most : {1U, 2U, 6U}) {
-    const Effort effort = expectedEffort(*policy, situation, most);
-    RC_LOG() << most << ": " << effort.rounds << " rounds, " << effort.shown << " shown\n";
+  for (const std::size_t max_candidates : {1U, 2U, 6U}) {
+    const Effort effort = expectedEffort(*policy, situation, max_candidates);
+    RC_LOG() << max_candidates << ": " << effort.rounds << " rounds, " << effort.shown
+             << " shown\n";
     RC_ASSERT(effort.rounds <= least + 1e-9);
     RC_ASSERT(effort.shown >= least - 1e-9);
-    if (most == 1) RC_ASSERT(std::abs(effort.rounds - before) < 1e-9);
+    if (max_candidates == 1) RC_ASSERT(std::abs(effort.rounds - before) < 1e-9);
   }
 }
 
@@ -136,10 +138,10 @@ TEST(Grouping, EndsInOneRoundWhereTheGroupHoldsAllThatMatters) {
 }
 
 TEST(Grouping, PoliciesWithoutConflictsOfferWhatComesNext) {
-  PolicyContext setting;
-  setting.is_static = {false, true, false, false};
-  setting.ask_static = false;
-  const auto policy = makePolicy("ask-all", setting);
+  PolicyContext context;
+  context.is_static = {false, true, false, false};
+  context.ask_static = false;
+  const auto policy = makePolicy("ask-all", context);
   Situation situation = fresh(4, {conflict(4, 0b0101)});
   const auto two = nextGroup(*policy, situation, 2);
   ASSERT_EQ(two.size(), 2U);

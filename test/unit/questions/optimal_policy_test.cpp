@@ -43,7 +43,7 @@ void requireBestEverywhere(Policy& policy, oracles::BestDialogue& best, Situatio
 
 RC_GTEST_PROP(OptimalPolicy, AsksWhatIsBestInEverySituation, ()) {
   RandomSource random = oracles::anySource();
-  Situation situation = samples::anyFamily(random, 6);
+  Situation situation = samples::anyUnanswered(random, 6);
   oracles::BestDialogue best(situation);
   const auto policy = policyOf("optimal", random.below(10));
   requireBestEverywhere(*policy, best, situation, 0);
@@ -51,7 +51,7 @@ RC_GTEST_PROP(OptimalPolicy, AsksWhatIsBestInEverySituation, ()) {
 
 RC_GTEST_PROP(OptimalPolicy, AsksAsFewAsTheBestDialogue, ()) {
   RandomSource random = oracles::anySource();
-  const Situation situation = samples::anyFamily(random, 8, 12);
+  const Situation situation = samples::anyUnanswered(random, 8, 12);
   const double least = oracles::BestDialogue(situation).cost(situation.knowledge);
   const double found = expectedQuestions(*policyOf("optimal"), situation);
   RC_LOG() << found << " instead of " << least;
@@ -60,7 +60,7 @@ RC_GTEST_PROP(OptimalPolicy, AsksAsFewAsTheBestDialogue, ()) {
 
 RC_GTEST_PROP(OptimalPolicy, TreatsSuspectedConflictsLikeOthers, ()) {
   RandomSource random = oracles::anySource();
-  Situation situation = samples::anyFamily(random, 6);
+  Situation situation = samples::anyUnanswered(random, 6);
   const double proven = expectedQuestions(*policyOf("optimal"), situation);
   for (achievability::Conflict& each : situation.conflicts)
     each.proven = !each.proven;
@@ -68,9 +68,9 @@ RC_GTEST_PROP(OptimalPolicy, TreatsSuspectedConflictsLikeOthers, ()) {
   RC_ASSERT(std::abs(proven - suspected) < 1e-9 * std::max(1.0, proven));
 }
 
-RC_GTEST_PROP(OptimalPolicy, AsksAsFewAsTheBestDialogueAmongLikes, ()) {
+RC_GTEST_PROP(OptimalPolicy, AsksAsFewAsTheBestDialogueAmongEquallyLikely, ()) {
   RandomSource random = oracles::anySource();
-  Situation situation = samples::anyFamily(random, 8, 12);
+  Situation situation = samples::anyUnanswered(random, 8, 12);
   for (double& p : situation.probability)
     p = 0.2 + 0.3 * static_cast<double>(random.below(2));
   const double least = oracles::BestDialogue(situation).cost(situation.knowledge);
@@ -80,7 +80,7 @@ RC_GTEST_PROP(OptimalPolicy, AsksAsFewAsTheBestDialogueAmongLikes, ()) {
 // With hardly any work allowed it still asks, if not the best.
 RC_GTEST_PROP(OptimalPolicy, WithoutWorkItGuessesWell, ()) {
   RandomSource random = oracles::anySource();
-  const Situation situation = samples::anyFamily(random, 8, 12);
+  const Situation situation = samples::anyUnanswered(random, 8, 12);
   OptimalPolicy policy(PolicyContext{}, random.below(500));
   const double least = oracles::BestDialogue(situation).cost(situation.knowledge);
   const double found = expectedQuestions(policy, situation);
@@ -116,9 +116,9 @@ TEST(OptimalPolicy, RemembersFromOneDecisionToTheNext) {
   RandomSource random(1);
   Situation situation = benchmarks::conflictFamily("triples", 12, 14, 0.05, 0.3, random);
   std::uint64_t polls = 0;
-  PolicyContext setting;
-  setting.poll = [&] { ++polls; };
-  OptimalPolicy policy(setting);
+  PolicyContext context;
+  context.poll = [&] { ++polls; };
+  OptimalPolicy policy(context);
   const auto first = policy.next(situation);
   EXPECT_GT(polls, 1U);
   polls = 0;
@@ -130,12 +130,12 @@ TEST(OptimalPolicy, RemembersFromOneDecisionToTheNext) {
 TEST(OptimalPolicy, EndsWhenItsPollThrows) {
   RandomSource random(1);
   const Situation situation = benchmarks::conflictFamily("triples", 30, 200, 0.05, 0.3, random);
-  PolicyContext setting;
+  PolicyContext context;
   int polls = 0;
-  setting.poll = [&] {
+  context.poll = [&] {
     if (++polls == 10) throw std::runtime_error("cancelled");
   };
-  EXPECT_THROW(OptimalPolicy(setting).next(situation), std::runtime_error);
+  EXPECT_THROW(OptimalPolicy(context).next(situation), std::runtime_error);
 }
 
 }  // namespace

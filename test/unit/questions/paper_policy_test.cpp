@@ -57,12 +57,12 @@ Drawn draw(RandomSource& random) {
 }
 
 PolicyContext contextOf(const Drawn& drawn, std::uint64_t seed) {
-  PolicyContext setting;
-  setting.is_static.assign(drawn.belief.size(), false);
-  setting.seed = seed;
-  setting.paper_beliefs = [drawn] { return drawn.belief; };
-  setting.unachievable_alone = [drawn] { return drawn.unachievable; };
-  return setting;
+  PolicyContext context;
+  context.is_static.assign(drawn.belief.size(), false);
+  context.seed = seed;
+  context.paper_beliefs = [drawn] { return drawn.belief; };
+  context.unachievable_alone = [drawn] { return drawn.unachievable; };
+  return context;
 }
 
 RC_GTEST_PROP(ValueOfQuery, EqualsThePrintedFormula, ()) {
@@ -115,22 +115,22 @@ TEST(PaperPolicy, ValuesThatDifferByRoundingAloneAreTies) {
 
 TEST(PaperPolicy, AsksStaticFluentsUnlessToldNotTo) {
   const Drawn drawn = {{0.5, 0.5, 0.5}, {false, true, false}};
-  PolicyContext setting = contextOf(drawn, 1);
-  setting.is_static = {true, false, true};
-  PaperPolicy with(setting);
+  PolicyContext context = contextOf(drawn, 1);
+  context.is_static = {true, false, true};
+  PaperPolicy with(context);
   EXPECT_EQ(askedAll(with, fresh(3, {}), Knowledge::Wanted).size(), 3U);
-  setting.ask_static = false;
-  PaperPolicy without(setting);
+  context.ask_static = false;
+  PaperPolicy without(context);
   EXPECT_EQ(askedAll(without, fresh(3, {}), Knowledge::Wanted), std::vector<std::size_t>{1});
 }
 
 TEST(PaperPolicy, NeedsNoBeliefsWhereTheyCannotMatter) {
-  PolicyContext setting = contextOf({{0.5, 0.5}, {false, false}}, 0);
-  setting.paper_beliefs = []() -> std::vector<double> {
+  PolicyContext context = contextOf({{0.5, 0.5}, {false, false}}, 0);
+  context.paper_beliefs = []() -> std::vector<double> {
     ADD_FAILURE() << "with an empty F̂ every value is 1";
     return {0.5, 0.5};
   };
-  PaperPolicy policy(setting);
+  PaperPolicy policy(context);
   EXPECT_TRUE(policy.next(fresh(2, {})).has_value());
 }
 

@@ -44,9 +44,9 @@ inline Situation anySituation(RandomSource& random) {
 }
 
 /// Nothing answered yet, all conflicts of at least one member.
-inline Situation anyFamily(RandomSource& random, std::size_t most_candidates,
-                           std::size_t most_conflicts = 8) {
-  const std::size_t candidates = oracles::between(random, 1, most_candidates);
+inline Situation anyUnanswered(RandomSource& random, std::size_t max_candidates,
+                               std::size_t max_conflicts = 8) {
+  const std::size_t candidates = oracles::between(random, 1, max_candidates);
   Situation situation = fresh(candidates, {});
   const double likely = random.unit();
   for (double& p : situation.probability) {
@@ -54,7 +54,7 @@ inline Situation anyFamily(RandomSource& random, std::size_t most_candidates,
                                      : random.unit() * likely;
   }
   const double density = random.unit();
-  for (std::size_t n = oracles::between(random, 1, most_conflicts); n > 0; --n) {
+  for (std::size_t n = oracles::between(random, 1, max_conflicts); n > 0; --n) {
     std::uint64_t members = std::uint64_t{1} << random.below(candidates);
     for (std::size_t f = 0; f < candidates; ++f) {
       if (oracles::chance(random, density)) members |= std::uint64_t{1} << f;
@@ -65,9 +65,9 @@ inline Situation anyFamily(RandomSource& random, std::size_t most_candidates,
 }
 
 inline std::unique_ptr<Policy> policyOf(const std::string& name, std::uint64_t seed = 0) {
-  PolicyContext setting;
-  setting.seed = seed;
-  return makePolicy(name, setting);
+  PolicyContext context;
+  context.seed = seed;
+  return makePolicy(name, context);
 }
 
 /// The candidates that a policy asks when every answer is the same, in order.

@@ -8,23 +8,24 @@
 
 namespace goal_alignment::achievability {
 
-/// The conflicts known, none of them a superset of a proven other, no suspected one of a suspected
-/// other.
+/// The known conflicts. None is a superset of another proven one, and no suspected one is a
+/// superset of another suspected one.
 class ConflictSet {
  public:
-  /// Adds what says something new and drops what the new one makes superfluous; true when added.
+  /// Adds a conflict that says something new and drops those that it makes superfluous. Returns
+  /// whether it was added.
   /// O(conflicts · candidates / 64).
   bool add(const Conflict& conflict);
 
-  /// A proven conflict within the set.
+  /// A proven conflict within the set, or null.
   const Conflict* provenWithin(const CandidateSet& set) const;
 
-  /// Takes out the suspected conflicts within a set that turned out to be achievable; true when
+  /// Removes the suspected conflicts within a set that turned out to be achievable. Returns whether
   /// there was any.
   bool clearSuspectedWithin(const CandidateSet& achievable);
 
-  /// Calls a proven conflict minimal where each set with one member less is achievable, as
-  /// `achievable(set)` says.
+  /// Marks proven conflicts as minimal where `achievable(set)` says so of each set with one member
+  /// less.
   template <typename Achievable>
   void markMinimal(Achievable&& achievable) {
     for (Conflict& conflict : conflicts_) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "achievability/conflict_enumeration.h"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <set>
-#include <vector>
 
-#include "goal_alignment/achievability/achievability.h"
 #include "oracles/random_hagl.h"
 #include "oracles/seeds.h"
+#include "parts.h"
 #include "samples.h"
 
 namespace goal_alignment::achievability {
@@ -18,14 +19,15 @@ using oracles::CandidateBits;
 using oracles::Hagl;
 using samples::make;
 using samples::provenConflicts;
+using samples::requireSound;
 using samples::setOf;
 
-RC_GTEST_PROP(ConflictSearch, FindsExactlyTheMinimalConflicts, ()) {
+RC_GTEST_PROP(ConflictEnumeration, FindsExactlyTheMinimalConflicts, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   RC_LOG() << samples::text(hagl);
   const std::set<CandidateBits> expected = hagl.minimalConflicts();
-  for (SearchBudget budget : samples::ways()) {
+  for (SearchBudget budget : samples::stageBudgets()) {
     if (budget.second_greedy == 1) budget.first_greedy = 1'000'000;
     const auto robot = make(hagl, budget);
     RC_ASSERT(!robot->complete());
@@ -39,7 +41,7 @@ RC_GTEST_PROP(ConflictSearch, FindsExactlyTheMinimalConflicts, ()) {
 }
 
 // Whatever the number of threads: the same conflicts in the same order, by the same plans.
-RC_GTEST_PROP(ConflictSearch, ThreadsChangeNothing, ()) {
+RC_GTEST_PROP(ConflictEnumeration, ThreadsChangeNothing, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   SearchBudget budget = {1 + random.below(50), 1, 1, 1, 1 + random.below(50), 1};
@@ -57,20 +59,7 @@ RC_GTEST_PROP(ConflictSearch, ThreadsChangeNothing, ()) {
     RC_ASSERT(alone->achieved()[i].plan == together->achieved()[i].plan);
 }
 
-/// What is known must be so, however little was searched.
-void requireSound(const Hagl& hagl, const Achievability& robot) {
-  const std::set<CandidateBits> minimal = hagl.minimalConflicts();
-  for (const Conflict& conflict : robot.conflicts()) {
-    const CandidateBits set = conflict.members.to_ulong();
-    if (conflict.proven) RC_ASSERT(!hagl.achievable(set));
-    if (conflict.minimal) RC_ASSERT(conflict.proven && minimal.count(set) > 0);
-  }
-  for (const auto& achieved : robot.achieved())
-    RC_ASSERT(hagl.achievable(achieved.set.to_ulong()));
-  if (robot.complete()) RC_ASSERT(provenConflicts(robot) == minimal);
-}
-
-RC_GTEST_PROP(ConflictSearch, IsSoundWithTinyBudgets, ()) {
+RC_GTEST_PROP(ConflictEnumeration, IsSoundWithTinyBudgets, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   RC_LOG() << samples::text(hagl);
@@ -92,27 +81,8 @@ RC_GTEST_PROP(ConflictSearch, IsSoundWithTinyBudgets, ()) {
   }
 }
 
-RC_GTEST_PROP(ConflictSearch, SaysUnknownRatherThanGuess, ()) {
-  RandomSource random = oracles::anySource();
-  const Hagl hagl = oracles::randomHagl(random);
-  const SearchBudget budget = {random.below(4), random.below(4), random.below(4), random.below(4),
-                               random.below(4)};
-  const auto robot = make(hagl, budget);
-  for (int i = 0; i < 30; ++i) {
-    const CandidateBits set = random.below(hagl.all() + 1);
-    const Check check = robot->check(setOf(hagl.size(), set), {});
-    if (check.verdict == Verdict::Unknown) {
-      RC_ASSERT(check.limit == LimitReason::States);
-      if (oracles::chance(random, 0.5)) robot->suspect(setOf(hagl.size(), set));
-    } else {
-      RC_ASSERT((check.verdict == Verdict::Achievable) == hagl.achievable(set));
-    }
-  }
-  requireSound(hagl, *robot);
-}
-
 // However few sets it may look at in one call.
-RC_GTEST_PROP(ConflictSearch, GoesOnWhereItLeftOff, ()) {
+RC_GTEST_PROP(ConflictEnumeration, ResumesWhereItLeftOff, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   RC_LOG() << samples::text(hagl);
@@ -127,61 +97,8 @@ RC_GTEST_PROP(ConflictSearch, GoesOnWhereItLeftOff, ()) {
   RC_ASSERT(provenConflicts(*robot) == hagl.minimalConflicts());
 }
 
-// Checks in any order, as a lazy dialogue makes them, suspicions and all: right where they say
-// something, and none of it is in the way of the rest.
-RC_GTEST_PROP(ConflictSearch, LazyChecksAgreeWithBruteForce, ()) {
-  RandomSource random = oracles::anySource();
-  const Hagl hagl = oracles::randomHagl(random);
-  RC_LOG() << samples::text(hagl);
-  SearchBudget budget = {random.below(20), 1, 1, 1, random.below(40)};
-  budget.shrinking = random.below(20);
-  budget.parts = oracles::chance(random, 0.5) ? random.below(30) : 100'000;
-  const auto robot = make(hagl, budget);
-  for (int i = 0; i < 20; ++i) {
-    const CandidateBits bits = random.below(hagl.all() + 1);
-    const CandidateSet set = setOf(hagl.size(), bits);
-    const Check check = robot->check(set, {});
-    const auto& known = robot->conflicts();
-    const bool suspected = std::any_of(known.begin(), known.end(), [&](const Conflict& conflict) {
-      return conflict.members.is_subset_of(set);
-    });
-    if (check.verdict == Verdict::Unknown) {
-      RC_ASSERT(suspected);
-    } else {
-      RC_ASSERT((check.verdict == Verdict::Achievable) == hagl.achievable(bits));
-      RC_ASSERT(suspected != hagl.achievable(bits));
-    }
-    requireSound(hagl, *robot);
-  }
-}
-
-// The members of a pair that no state has may be out of reach one by one.
-RC_GTEST_PROP(ConflictSearch, ASmallConflictIsMinimalWhereTheBudgetsSuffice, ()) {
-  RandomSource random = oracles::anySource();
-  const Hagl hagl = oracles::randomHagl(random);
-  RC_LOG() << samples::text(hagl);
-  const std::set<CandidateBits> minimal = hagl.minimalConflicts();
-  for (const bool plenty : {true, false}) {
-    SearchBudget budget;
-    if (!plenty) budget = {random.below(6), 1, 1, 1, random.below(6), 1, 1, 1};
-    if (!plenty) budget.minimising = random.below(40);
-    const auto robot = make(hagl, budget);
-    for (int i = 0; i < 10; ++i) {
-      const CandidateSet set = setOf(hagl.size(), random.below(hagl.all() + 1));
-      if (oracles::chance(random, 0.3)) robot->check(set, {});
-      const bool any = robot->provenConflictWithin(set) != nullptr;
-      const Conflict* small = robot->smallConflictWithin(set, {});
-      RC_ASSERT((small != nullptr) == any);
-      if (!any) continue;
-      RC_ASSERT(small->proven && small->members.is_subset_of(set));
-      if (plenty) RC_ASSERT(small->minimal && minimal.count(small->members.to_ulong()) > 0);
-      requireSound(hagl, *robot);
-    }
-  }
-}
-
-// A session goes on after a cancel, with everything it had learnt and nothing spoilt.
-RC_GTEST_PROP(ConflictSearch, GoesOnAfterACancel, ()) {
+// After a cancel a session resumes with everything it had learnt, and nothing is spoilt.
+RC_GTEST_PROP(ConflictEnumeration, ResumesAfterACancel, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   RC_LOG() << samples::text(hagl);
@@ -198,7 +115,7 @@ RC_GTEST_PROP(ConflictSearch, GoesOnAfterACancel, ()) {
   RC_ASSERT(provenConflicts(*robot) == hagl.minimalConflicts());
 }
 
-RC_GTEST_PROP(ConflictSearch, SuspicionsAreClearedByPlans, ()) {
+RC_GTEST_PROP(ConflictEnumeration, SuspicionsAreClearedByPlans, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   const auto robot = make(hagl);
@@ -213,6 +130,50 @@ RC_GTEST_PROP(ConflictSearch, SuspicionsAreClearedByPlans, ()) {
     robot->check(setOf(hagl.size(), set), {});
   RC_ASSERT(robot->findAllConflicts({}));
   RC_ASSERT(provenConflicts(*robot) == hagl.minimalConflicts());
+}
+
+// Where the reachable states are at hand as a diagram, no set needs a check.
+RC_GTEST_PROP(ConflictEnumeration, ListsThemFromADiagramWithoutASearch, ()) {
+  RandomSource random = oracles::anySource();
+  const Hagl hagl = oracles::randomHagl(random);
+  RC_LOG() << samples::text(hagl);
+  SearchBudget budget;
+  budget.first_symbolic = 100'000'000;
+  samples::Parts parts(hagl, budget);
+  RC_ASSERT(parts.reachable.sweep({}) == LimitReason::None);
+  const std::size_t calls = parts.planner.calls();
+  RC_ASSERT(parts.enumeration.run({}) == LimitReason::None);
+  RC_ASSERT(parts.knowledge.complete());
+  RC_ASSERT(parts.planner.calls() == calls);
+  std::set<CandidateBits> found;
+  for (const Conflict& conflict : parts.knowledge.conflicts()) {
+    RC_ASSERT(conflict.proven && conflict.minimal);
+    found.insert(conflict.members.to_ulong());
+  }
+  RC_ASSERT(found == hagl.minimalConflicts());
+}
+
+TEST(ConflictEnumeration, SaysThatTheNumberOfSetsEndedIt) {
+  RandomSource random(5);
+  const Hagl hagl = oracles::randomDisputedHagl(random);
+  SearchBudget budget;
+  budget.open_sets = 0;
+  samples::Parts parts(hagl, budget);
+  EXPECT_EQ(parts.enumeration.run({}), LimitReason::States);
+  EXPECT_FALSE(parts.knowledge.complete());
+  EXPECT_EQ(parts.planner.calls(), 0U);
+}
+
+TEST(ConflictEnumeration, SaysThatACancelEndedIt) {
+  RandomSource random(5);
+  const Hagl hagl = oracles::randomDisputedHagl(random);
+  samples::Parts parts(hagl);
+  CancelToken token;
+  token.cancel();
+  Limits limits;
+  limits.cancel = &token;
+  EXPECT_EQ(parts.enumeration.run(limits), LimitReason::Cancelled);
+  EXPECT_FALSE(parts.knowledge.complete());
 }
 
 }  // namespace
