@@ -7,17 +7,8 @@
 #include "goal_alignment/aligner/alignment_runner.h"
 
 namespace goal_alignment::aligner {
-namespace {
 
 using session::OutcomeCode;
-
-// What would be another outcome in another world.
-bool restsOnFacts(OutcomeCode code) {
-  return code == OutcomeCode::Success || code == OutcomeCode::GoalUnsolvable ||
-         code == OutcomeCode::ExpectationUnachievable;
-}
-
-}  // namespace
 
 // A task whose models come from parameters begins where the ones before have led.
 void AlignmentRunner::inheritFacts(const NodeOptions& options, session::Input& input) {
@@ -40,7 +31,8 @@ void AlignmentRunner::checkRules() {
 void AlignmentRunner::takeUpFacts() {
   if (!kept_.models_known) return;
   const bool is_done = kept_.session->state() == State::Done;
-  if (is_done && !restsOnFacts(kept_.session->outcome().code)) return;
+  if (is_done && !session::outcomeTraits(kept_.session->outcome().code).rests_on_robot_state)
+    return;
   const spatial_facts::Observation seen = tf_.look();
   if (!seen.unknown().empty()) return missFacts(seen);
   kept_.unknown_since.reset();
@@ -88,7 +80,7 @@ void AlignmentRunner::applyFacts(const spatial_facts::Observation& seen, bool is
 bool AlignmentRunner::factsAreAwaited() const {
   if (!kept_.unknown_since) return false;
   if (kept_.session->state() != State::Done) return !kept_.facts_known;
-  return restsOnFacts(kept_.session->outcome().code);
+  return session::outcomeTraits(kept_.session->outcome().code).rests_on_robot_state;
 }
 
 void AlignmentRunner::awaitFacts(GoalTicket& ticket) {

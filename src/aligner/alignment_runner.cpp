@@ -27,26 +27,6 @@ class ContradictionError : public GoalError {
   using GoalError::GoalError;
 };
 
-// The dialogue has come to its end, so there is nothing to take up again, also after a crash.
-bool isDecided(OutcomeCode code) {
-  switch (code) {
-    case OutcomeCode::Canceled:
-    case OutcomeCode::TimeLimit:
-    case OutcomeCode::MemoryLimit:
-    case OutcomeCode::BudgetLimit:
-    case OutcomeCode::NoAnswer:
-    case OutcomeCode::Declined:
-    case OutcomeCode::QuestionLimit:
-    case OutcomeCode::UnsureBlocks:
-    case OutcomeCode::InvalidModel:
-    case OutcomeCode::StateUnknown:
-    case OutcomeCode::Internal:
-      return false;
-    default:
-      return true;
-  }
-}
-
 session::Outcome invalidInput(const std::exception& error) {
   session::Outcome outcome;
   outcome.code = OutcomeCode::InvalidModel;
@@ -263,8 +243,7 @@ void AlignmentRunner::warnIfNobodyIs(const std::string& hidden, const session::S
 
 // An answer that came in while the last step ran was accepted, so it has to count.
 bool AlignmentRunner::hasEnded() {
-  const OutcomeCode code = kept_.session->outcome().code;
-  if (code == OutcomeCode::Canceled || code == OutcomeCode::Declined) return true;
+  if (session::outcomeTraits(kept_.session->outcome().code).ended_on_request) return true;
   return bridge_.endSessionIfIdle();
 }
 
@@ -323,7 +302,7 @@ AlignResult AlignmentRunner::announceOutcome(const session::Outcome& outcome,
     plan_watch_.giveOut({result.plan.plan_id, kept_.task_id, kept_.person, kept_.identity});
     announcer_.publish(result.plan);
   }
-  if (isDecided(outcome.code)) journal_.drop();
+  if (session::outcomeTraits(outcome.code).closes_journal) journal_.drop();
   if (outcome.code == OutcomeCode::UnsureBlocks) forgetUnsureAnswers();
   showToExplainer(last);
   AlignmentState state = stateMessage(last, result.message);

@@ -20,9 +20,8 @@ constexpr const char* kReference = "optimal";
 
 bool isFault(OutcomeCode code) {
   if (code == OutcomeCode::None) return false;  // there is something to ask
-  const int status = session::exitStatus(code);
-  return status == session::exitStatus(OutcomeCode::InvalidModel) ||
-         status == session::exitStatus(OutcomeCode::Internal);
+  const session::OutcomeKind kind = session::outcomeTraits(code).kind;
+  return kind == session::OutcomeKind::Invalid || kind == session::OutcomeKind::Internal;
 }
 
 class InstanceBench {

@@ -15,6 +15,7 @@ using session::AnswerKind;
 using session::CandidateState;
 using session::CandidateView;
 using session::OutcomeCode;
+using session::OutcomeKind;
 using session::Session;
 using session::Snapshot;
 using session::State;
@@ -23,9 +24,8 @@ namespace {
 
 /// A decided outcome leaves candidates in live conflicts open: more answers could not change it.
 bool isSettled(const CandidateView& candidate, OutcomeCode outcome) {
-  const bool decided = outcome == OutcomeCode::Success ||
-                       outcome == OutcomeCode::ExpectationUnachievable ||
-                       outcome == OutcomeCode::GoalUnsolvable;
+  const OutcomeKind kind = session::outcomeTraits(outcome).kind;
+  const bool decided = kind == OutcomeKind::PlanFound || kind == OutcomeKind::NoPlan;
   return candidate.state == CandidateState::Settled ||
          (decided && candidate.state == CandidateState::Open);
 }

@@ -108,9 +108,9 @@ Json toJson(const session::Session& session) {
   }
   json["questions"] = questionsOf(session);
   json["rounds"] = session.questions().size();
-  const bool names_conflict = outcome.code == OutcomeCode::GoalUnsolvable ||
-                              outcome.code == OutcomeCode::ExpectationUnachievable ||
-                              !outcome.conflict.empty();
+  const bool names_conflict =
+      session::outcomeTraits(outcome.code).kind == session::OutcomeKind::NoPlan ||
+      !outcome.conflict.empty();
   if (names_conflict) {
     json["conflict"] = texts(outcome.conflict);
     json["conflict_proven"] = outcome.conflict_proven;

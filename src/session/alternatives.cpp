@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "alternatives.h"
+
 #include <algorithm>
 #include <exception>
 #include <utility>
 
-#include "implementation.h"
+#include "extra_cost.h"
+#include "fluents.h"
 
-/// What there could be instead, where a dialogue ends without a plan. Nobody is left with nothing
-/// to choose as long as some plan is known for what was asked for.
 namespace goal_alignment::session {
 
-using achievability::AchievedSets;
 using achievability::CandidateSet;
 using questions::Knowledge;
 
@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMaxAlternatives = 10;
 
 /// Who has ended a dialogue does not wait long for what they could choose.
-constexpr double kSecondsToOffer = 3;
+constexpr double kMaxSeconds = 3;
 
 /// How often what was answered YES is given up all the same: as rarely as a belief is wrong that is
 /// as sure as beliefs get.
@@ -30,25 +30,6 @@ double probabilityOf(const CandidateSet& given_up, const std::vector<double>& be
   for (const std::size_t f : achievability::members(given_up))
     product *= 1 - beliefs[f];
   return product;
-}
-
-bool hasTime(OutcomeCode code) {
-  return code != OutcomeCode::TimeLimit && code != OutcomeCode::MemoryLimit;
-}
-
-bool leavesAChoice(OutcomeCode code) {
-  switch (code) {
-    case OutcomeCode::ExpectationUnachievable:
-    case OutcomeCode::TimeLimit:
-    case OutcomeCode::MemoryLimit:
-    case OutcomeCode::BudgetLimit:
-    case OutcomeCode::Declined:
-    case OutcomeCode::QuestionLimit:
-    case OutcomeCode::UnsureBlocks:
-      return true;
-    default:
-      return false;
-  }
 }
 
 /// None of which is more than another.
@@ -70,73 +51,80 @@ std::vector<CandidateSet> likeliest(std::vector<CandidateSet> sets,
   return result;
 }
 
-}  // namespace
-
-/// Everything not answered NO but as little as will do to have the rest; after a proof that what
-/// was answered YES can't be had, the same of that. The likeliest first.
-std::vector<Alternative> Session::Implementation::alternativesAfter(OutcomeCode code) {
-  std::vector<Alternative> result;
-  if (!leavesAChoice(code) || !robot_analysis_.achievability || beliefs_.empty()) return result;
-  const std::vector<double> beliefs = answeredBeliefs();
-  for (const CandidateSet& given_up : setsToGiveUp(code, beliefs)) {
-    if (given_up.any()) result.push_back({fluents(given_up), probabilityOf(given_up, beliefs)});
-  }
+/// What the beliefs become with the answers.
+std::vector<double> answeredBeliefs(const Dialogue& dialogue, const Analysis& analysis) {
+  std::vector<double> result = analysis.beliefs();
+  for (const std::size_t f : achievability::members(dialogue.with(Knowledge::Wanted)))
+    result[f] = 1 - kTakenBack * (1 - analysis.beliefs()[f]);
   return result;
 }
 
-std::vector<CandidateSet> Session::Implementation::setsToGiveUp(
-    OutcomeCode code, const std::vector<double>& beliefs) {
-  const bool of_wanted = code == OutcomeCode::ExpectationUnachievable;
-  const CandidateSet all =
-      of_wanted ? dialogue_.with(Knowledge::Wanted) : ~dialogue_.with(Knowledge::NotWanted);
-  std::vector<CandidateSet> sets;
-  try {
-    if (hasTime(code)) {
-      const Limits own = of_wanted ? limits() : limits().withSeconds(kSecondsToOffer);
-      sets = robot().alternatives(all, beliefs, kMaxAlternatives, own);
-      if (!sets.empty() && sets.front().none()) sets = {costlySet(all)};
-    }
-    if (sets.empty()) sets = knownSetsToGiveUp(all);
-  } catch (const std::exception&) {
-    return {};  // an outcome must not get lost for what could be said besides
-  }
-  return likeliest(std::move(sets), beliefs);
-}
-
 /// What the plans that are known leave out: more than is needed, perhaps.
-std::vector<CandidateSet> Session::Implementation::knownSetsToGiveUp(
-    const CandidateSet& all) const {
+std::vector<CandidateSet> leftOutByKnownPlans(const CandidateSet& all, const Analysis& analysis) {
   std::vector<CandidateSet> sets;
-  for (const AchievedSets::Achieved& achieved : robot().achieved())
+  for (const achievability::AchievedSets::Achieved& achieved : analysis.robot().achieved())
     sets.push_back(all - achieved.set);
   return sets;
 }
 
 /// Where all can be had, but the person would have been asked whether it is worth what it costs.
-CandidateSet Session::Implementation::costlySet(const CandidateSet& all) {
+CandidateSet costlySet(const CandidateSet& all, const Dialogue& dialogue, Analysis& analysis,
+                       const Options& options) {
   CandidateSet result(all.size());
-  const task::Plan* plan = knownPlanFor(all);
-  if (!costsMatter() || plan == nullptr) return result;
+  const task::Plan* plan = analysis.knownPlanFor(all);
+  if (!costsMatter(options) || plan == nullptr) return result;
   const CandidateSet kept =
-      dialogue_.with(Knowledge::Wanted) | (dialogue_.with(Knowledge::Unsure) & dialogue_.assumed());
-  for (const Dialogue::AskedCandidate& posed : tooCostly(kept, all - kept, *plan, all.size()))
+      dialogue.with(Knowledge::Wanted) | (dialogue.with(Knowledge::Unsure) & dialogue.assumed());
+  const auto costly =
+      tooCostly(analysis, kept, all - kept, *plan, options.max_extra_cost, all.size());
+  for (const Dialogue::AskedCandidate& posed : costly)
     result.set(posed.candidate);
   return result;
 }
 
-/// Null where none is remembered.
-const task::Plan* Session::Implementation::knownPlanFor(const CandidateSet& set) const {
-  for (const AchievedSets::Achieved& achieved : robot().achieved()) {
-    if (set.is_subset_of(achieved.set)) return &achieved.plan;
-  }
-  return nullptr;
+/// One empty set where nothing needs to be given up and costs don't matter.
+std::vector<CandidateSet> searchSets(const CandidateSet& all, const std::vector<double>& beliefs,
+                                     const Limits& limits, const Dialogue& dialogue,
+                                     Analysis& analysis, const Options& options) {
+  std::vector<CandidateSet> sets =
+      analysis.robot().alternatives(all, beliefs, kMaxAlternatives, limits);
+  if (!sets.empty() && sets.front().none()) sets = {costlySet(all, dialogue, analysis, options)};
+  return sets;
 }
 
-/// What the beliefs become with the answers.
-std::vector<double> Session::Implementation::answeredBeliefs() const {
-  std::vector<double> result = beliefs_;
-  for (const std::size_t f : achievability::members(dialogue_.with(Knowledge::Wanted)))
-    result[f] = 1 - kTakenBack * (1 - beliefs_[f]);
+std::vector<CandidateSet> setsToGiveUp(OutcomeCode code, const std::vector<double>& beliefs,
+                                       const Dialogue& dialogue, Analysis& analysis,
+                                       const Options& options) {
+  const bool of_wanted = code == OutcomeCode::ExpectationUnachievable;
+  const CandidateSet all =
+      of_wanted ? dialogue.with(Knowledge::Wanted) : ~dialogue.with(Knowledge::NotWanted);
+  std::vector<CandidateSet> sets;
+  if (outcomeTraits(code).alternatives == AlternativesFrom::ShortSearch) {
+    const Limits whole = analysis.budget().limits();
+    const Limits own = of_wanted ? whole : whole.withSeconds(kMaxSeconds);
+    sets = searchSets(all, beliefs, own, dialogue, analysis, options);
+  }
+  return sets.empty() ? leftOutByKnownPlans(all, analysis) : sets;
+}
+
+}  // namespace
+
+std::vector<Alternative> alternativesAfter(OutcomeCode code, const Dialogue& dialogue,
+                                           Analysis& analysis, const Options& options) {
+  const bool none = outcomeTraits(code).alternatives == AlternativesFrom::Nothing;
+  if (none || !analysis.hasRobot() || analysis.beliefs().empty()) return {};
+  const std::vector<double> beliefs = answeredBeliefs(dialogue, analysis);
+  std::vector<CandidateSet> sets;
+  try {
+    sets = setsToGiveUp(code, beliefs, dialogue, analysis, options);
+  } catch (const std::exception&) {
+    return {};  // an outcome must not get lost for what could be said besides
+  }
+  std::vector<Alternative> result;
+  for (const CandidateSet& given_up : likeliest(std::move(sets), beliefs)) {
+    if (given_up.none()) continue;
+    result.push_back({fluentsOf(analysis.problem(), given_up), probabilityOf(given_up, beliefs)});
+  }
   return result;
 }
 

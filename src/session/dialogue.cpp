@@ -160,16 +160,19 @@ void Dialogue::decline() {
   if (open_) close(true);
 }
 
-bool Dialogue::reopenUnsure(const achievability::CandidateSet& fluents) {
-  bool any = false;
-  for (std::size_t f = 0; f < knowledge_.size(); ++f) {
-    if (!fluents.test(f) || knowledge_[f] != Knowledge::Unsure || reopened_[f] || assumed_[f])
-      continue;
+void Dialogue::reopen(const achievability::CandidateSet& candidates) {
+  for (const std::size_t f : achievability::members(candidates & reopenable())) {
     knowledge_[f] = Knowledge::Open;
     reopened_[f] = true;
-    any = true;
   }
-  return any;
+}
+
+achievability::CandidateSet Dialogue::reopenable() const {
+  achievability::CandidateSet set = with(Knowledge::Unsure);
+  for (std::size_t f = 0; f < set.size(); ++f) {
+    if (reopened_[f] || assumed_[f]) set.reset(f);
+  }
+  return set;
 }
 
 achievability::CandidateSet Dialogue::with(Knowledge knowledge) const {

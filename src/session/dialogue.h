@@ -43,9 +43,8 @@ class Dialogue {
   /// A question that was taken back counts once more when it is put again: to another goal, it is
   /// one of its own.
   void countAnew() { withdrawn_.clear(); }
-  /// Makes every one of these fluents that a person answered with "don't know" open once more;
-  /// false when there is none left that was not reopened before.
-  bool reopenUnsure(const achievability::CandidateSet& fluents);
+  /// These of reopenable() are open once more.
+  void reopen(const achievability::CandidateSet& candidates);
 
   bool isOpen() const { return open_.has_value(); }
   const std::vector<std::size_t>& openCandidates() const { return open_->waiting; }
@@ -64,6 +63,8 @@ class Dialogue {
 
   /// The candidates with this knowledge.
   achievability::CandidateSet with(questions::Knowledge knowledge) const;
+  /// What a person answered with "don't know" and has not been asked about once more.
+  achievability::CandidateSet reopenable() const;
   /// Those that were assumed, not answered.
   achievability::CandidateSet assumed() const;
   const std::vector<Literal>& fluents() const { return fluents_; }

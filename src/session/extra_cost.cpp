@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "extra_cost.h"
+
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <cstdint>
 
 #include "goal_alignment/common/exceptions.h"
 #include "goal_alignment/task/state.h"
-#include "implementation.h"
 
-/// A plan keeps everything that was not answered NO, and that can make a robot do visible nonsense
-/// for things nobody cares about. Here is what keeping them costs.
 namespace goal_alignment::session {
 
 using achievability::CandidateSet;
-using questions::Knowledge;
 
 namespace {
 
@@ -21,85 +19,72 @@ namespace {
 constexpr std::uint64_t kStates = 20'000;
 
 /// The same where nothing is decided by it: so many in a small task, fewer where each takes longer.
-constexpr std::uint64_t kStatesToTell = 500;
-constexpr std::uint64_t kMinStates = 100;
-constexpr std::uint64_t kOperatorsToTell = 4'000'000;
+constexpr std::uint64_t kMaxBriefStates = 500;
+constexpr std::uint64_t kMinBriefStates = 100;
+constexpr std::uint64_t kBriefOperators = 4'000'000;
 
-}  // namespace
-
-/// Whether something may have to be asked about for its cost alone.
-bool Session::Implementation::costsMatter() const {
-  return !std::isinf(options_.max_extra_cost);
-}
-
-/// A plan for fewer things, made cheaper as far as so many states let.
-search::Improved Session::Implementation::cheapened(const CandidateSet& set, const task::Plan& plan,
-                                                    std::uint64_t states) {
-  search::Improved best = robot().improvedPlan(set, plan, limits().withStates(states));
+search::Improved improve(Analysis& analysis, const CandidateSet& set, const task::Plan& plan,
+                         std::uint64_t states) {
+  search::Improved best =
+      analysis.robot().improvedPlan(set, plan, analysis.budget().limits().withStates(states));
   if (best.limit == LimitReason::Cancelled) throw LimitReached(best.limit, "the final plan");
   return best;
 }
 
-/// The same as far as a short search finds it.
-search::Improved Session::Implementation::cheaply(const CandidateSet& set, const task::Plan& plan) {
-  const std::size_t operators = std::max<std::size_t>(1, robot().task().operators.size());
-  const std::uint64_t states =
-      std::clamp<std::uint64_t>(kOperatorsToTell / operators, kMinStates, kStatesToTell);
-  return cheapened(set, plan, states);
+}  // namespace
+
+bool costsMatter(const Options& options) {
+  return !std::isinf(options.max_extra_cost);
 }
 
-CandidateSet Session::Implementation::trueAtEnd(const task::Plan& plan) const {
-  const validation::Execution execution =
-      validation::execute(problem_->robot, task::names(robot().task(), plan), cancelOnly());
-  CandidateSet result(robot().candidateCount());
+search::Improved improveBriefly(Analysis& analysis, const CandidateSet& set,
+                                const task::Plan& plan) {
+  const std::size_t operators = std::max<std::size_t>(1, analysis.robot().task().operators.size());
+  const std::uint64_t states =
+      std::clamp<std::uint64_t>(kBriefOperators / operators, kMinBriefStates, kMaxBriefStates);
+  return improve(analysis, set, plan, states);
+}
+
+CandidateSet trueAtEnd(const Analysis& analysis, const task::Plan& plan) {
+  const alignment::Problem& problem = analysis.problem();
+  const validation::Execution execution = validation::execute(
+      problem.robot, task::names(analysis.robot().task(), plan), analysis.budget().cancelOnly());
+  CandidateSet result(problem.candidates.size());
   for (std::size_t f = 0; f < result.size(); ++f) {
-    result.set(f, validation::unsatisfied(problem_->robot, execution.finalState(),
-                                          {dialogue_.fluents()[f]})
+    result.set(f, validation::unsatisfied(problem.robot, execution.finalState(),
+                                          {problem.candidates[f].fluent})
                       .empty());
   }
   return result;
 }
 
-/// Those of `open` that each cost more than is let pass to have besides `kept`, `most` at most, the
-/// least likely first. The plan has all of both.
-std::vector<Dialogue::AskedCandidate> Session::Implementation::tooCostly(const CandidateSet& kept,
-                                                                         const CandidateSet& open,
-                                                                         const task::Plan& plan,
-                                                                         std::size_t most) {
+std::vector<Dialogue::AskedCandidate> tooCostly(Analysis& analysis, const CandidateSet& kept,
+                                                const CandidateSet& open, const task::Plan& plan,
+                                                double max_extra_cost, std::size_t max_count) {
   std::vector<Dialogue::AskedCandidate> result;
-  const search::Improved least = cheapened(kept, plan, kStates);
+  const search::Improved least = improve(analysis, kept, plan, kStates);
   const auto extra = [&](task::Cost cost) { return cost - least.cost; };
-  const auto passes = [&](task::Cost cost) {
-    return static_cast<double>(extra(cost)) <= options_.max_extra_cost;
+  const auto is_let_pass = [&](task::Cost cost) {
+    return static_cast<double>(extra(cost)) <= max_extra_cost;
   };
-  if (passes(task::cost(robot().task(), plan))) return result;
-  CandidateSet free = robot().alwaysTrue() | trueAtEnd(least.plan);
+  if (is_let_pass(task::cost(analysis.robot().task(), plan))) return result;
+  CandidateSet free = analysis.robot().alwaysTrue() | trueAtEnd(analysis, least.plan);
   std::vector<std::size_t> left = achievability::members(open - free);
+  const std::vector<double>& beliefs = analysis.beliefs();
   std::stable_sort(left.begin(), left.end(),
-                   [this](std::size_t a, std::size_t b) { return beliefs_[a] < beliefs_[b]; });
+                   [&](std::size_t a, std::size_t b) { return beliefs[a] < beliefs[b]; });
   for (const std::size_t candidate : left) {
-    if (result.size() == most) break;
+    if (result.size() == max_count) break;
     if (free.test(candidate)) continue;
     CandidateSet with = kept;
     with.set(candidate);
-    const search::Improved dearer = cheapened(with, plan, kStates);
-    if (passes(dearer.cost))
-      free |= trueAtEnd(dearer.plan);
+    const search::Improved dearer = improve(analysis, with, plan, kStates);
+    if (is_let_pass(dearer.cost))
+      free |= trueAtEnd(analysis, dearer.plan);
     else
       result.push_back({candidate, Reason{{}, true, extra(dearer.cost), false}});
   }
   return result;
-}
-
-/// Asks about a candidate that nobody asked for and that costs more than is let pass; false where
-/// there is none.
-bool Session::Implementation::askAboutCost(const CandidateSet& wished, const task::Plan& plan) {
-  if (!costsMatter()) return false;
-  const CandidateSet kept = dialogue_.with(Knowledge::Wanted) | dialogue_.with(Knowledge::Unsure);
-  const auto posed = tooCostly(kept, wished & dialogue_.with(Knowledge::Open), plan, 1);
-  if (posed.empty()) return false;
-  ask(posed);
-  return true;
 }
 
 }  // namespace goal_alignment::session

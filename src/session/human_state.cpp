@@ -60,8 +60,8 @@ bool leaveOut(const std::string& predicate, std::vector<HumanFact>& facts) {
 
 }  // namespace
 
-void takeUp(const std::vector<HumanFact>& facts, const std::vector<GroundName>& human_plan,
-            const pddl::Model& robot, pddl::Model& human, const Limits& limits) {
+void applyHumanFacts(const std::vector<HumanFact>& facts, const std::vector<GroundName>& human_plan,
+                     const pddl::Model& robot, pddl::Model& human, const Limits& limits) {
   if (facts.empty()) return;
   const Atoms init = human.init;
   std::vector<HumanFact> counting = possible(facts, robot, human);

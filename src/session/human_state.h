@@ -15,7 +15,7 @@ namespace goal_alignment::session {
 /// the human's plan contradicts: where a step needs of a predicate what is so in their problem file
 /// and no longer in the world, that is what they hold true. Throws LimitReached.
 /// O(facts + human.init + executions of the plan, at most one for each predicate reported).
-void takeUp(const std::vector<HumanFact>& facts, const std::vector<GroundName>& human_plan,
-            const pddl::Model& robot, pddl::Model& human, const Limits& limits);
+void applyHumanFacts(const std::vector<HumanFact>& facts, const std::vector<GroundName>& human_plan,
+                     const pddl::Model& robot, pddl::Model& human, const Limits& limits);
 
 }  // namespace goal_alignment::session

@@ -10,45 +10,54 @@
 
 namespace goal_alignment::session {
 
-const char* outcomeWord(OutcomeCode code) noexcept {
-  switch (code) {
-    case OutcomeCode::Success:
-      return "plan_found";
-    case OutcomeCode::Canceled:
-      return "canceled";
-    case OutcomeCode::GoalUnsolvable:
-    case OutcomeCode::ExpectationUnachievable:
-      return "no_plan";
-    case OutcomeCode::TimeLimit:
-    case OutcomeCode::MemoryLimit:
-    case OutcomeCode::BudgetLimit:
-    case OutcomeCode::NoAnswer:
-    case OutcomeCode::Declined:
-    case OutcomeCode::QuestionLimit:
-    case OutcomeCode::Contradiction:
-    case OutcomeCode::UnsureBlocks:
-    case OutcomeCode::Busy:
-      return "undecided";
-    case OutcomeCode::InvalidModel:
-    case OutcomeCode::HumanPlanInvalid:
-    case OutcomeCode::GoalNotExpected:
-    case OutcomeCode::StateUnknown:
-      return "invalid";
-    case OutcomeCode::None:
-    case OutcomeCode::Internal:
-      return "internal";
+namespace {
+
+using Code = OutcomeCode;
+using Kind = OutcomeKind;
+using From = AlternativesFrom;
+
+// clang-format off
+constexpr OutcomeTraits kOutcomes[] = {
+    // code                        kind             resumable  robot  journal  request  alternatives
+    {Code::None,                    Kind::Internal,  false,     false, true,    false,   From::Nothing},
+    {Code::Success,                 Kind::PlanFound, false,     true,  true,    false,   From::Nothing},
+    {Code::Canceled,                Kind::Canceled,  true,      false, false,   true,    From::Nothing},
+    {Code::GoalUnsolvable,          Kind::NoPlan,    false,     true,  true,    false,   From::Nothing},
+    {Code::ExpectationUnachievable, Kind::NoPlan,    false,     true,  true,    false,   From::ShortSearch},
+    {Code::TimeLimit,               Kind::Undecided, true,      false, false,   false,   From::KnownPlans},
+    {Code::MemoryLimit,             Kind::Undecided, true,      false, false,   false,   From::KnownPlans},
+    {Code::BudgetLimit,             Kind::Undecided, true,      false, false,   false,   From::ShortSearch},
+    {Code::NoAnswer,                Kind::Undecided, true,      false, false,   false,   From::Nothing},
+    {Code::Declined,                Kind::Undecided, true,      false, false,   true,    From::ShortSearch},
+    {Code::QuestionLimit,           Kind::Undecided, true,      false, false,   false,   From::ShortSearch},
+    {Code::Contradiction,           Kind::Undecided, false,     false, true,    false,   From::Nothing},
+    {Code::UnsureBlocks,            Kind::Undecided, true,      false, false,   false,   From::ShortSearch},
+    {Code::Busy,                    Kind::Undecided, false,     false, true,    false,   From::Nothing},
+    {Code::InvalidModel,            Kind::Invalid,   true,      false, false,   false,   From::Nothing},
+    {Code::HumanPlanInvalid,        Kind::Invalid,   false,     false, true,    false,   From::Nothing},
+    {Code::GoalNotExpected,         Kind::Invalid,   false,     false, true,    false,   From::Nothing},
+    {Code::StateUnknown,            Kind::Invalid,   true,      false, false,   false,   From::Nothing},
+    {Code::Internal,                Kind::Internal,  false,     false, false,   false,   From::Nothing},
+};
+// clang-format on
+
+}  // namespace
+
+const OutcomeTraits& outcomeTraits(OutcomeCode code) noexcept {
+  for (const OutcomeTraits& row : kOutcomes) {
+    if (row.code == code) return row;
   }
-  return "internal";
+  return kOutcomes[0];
+}
+
+const char* outcomeWord(OutcomeCode code) noexcept {
+  constexpr const char* kWords[] = {"plan_found", "no_plan",  "invalid",
+                                    "undecided",  "canceled", "internal"};
+  return kWords[exitStatus(code)];
 }
 
 int exitStatus(OutcomeCode code) noexcept {
-  const auto band = static_cast<int>(code);
-  if (code == OutcomeCode::Success) return 0;
-  if (code == OutcomeCode::Canceled) return 4;
-  if (code == OutcomeCode::GoalUnsolvable || code == OutcomeCode::ExpectationUnachievable) return 1;
-  if (band >= 70 && band < 80) return 2;
-  if (band > 50 && band < 70) return 3;
-  return 5;
+  return static_cast<int>(outcomeTraits(code).kind);
 }
 
 OutcomeCode outcomeOf(LimitReason reason) noexcept {

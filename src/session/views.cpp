@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "views.h"
+
 #include <algorithm>
+#include <utility>
 
-#include "implementation.h"
+#include "decision.h"
+#include "fluents.h"
+#include "open_question.h"
 
-/// What onlookers see of a session.
 namespace goal_alignment::session {
 
 using achievability::Conflict;
@@ -11,8 +15,62 @@ using questions::Knowledge;
 
 namespace {
 
-/// Progress is by phase: nobody knows beforehand how long a search takes.
-constexpr float kPhases = 6;
+CandidateState stateFor(Knowledge knowledge) {
+  switch (knowledge) {
+    case Knowledge::Wanted:
+      return CandidateState::Wanted;
+    case Knowledge::NotWanted:
+      return CandidateState::NotWanted;
+    case Knowledge::Unsure:
+      return CandidateState::Unsure;
+    case Knowledge::Open:
+      break;
+  }
+  return CandidateState::Open;
+}
+
+std::vector<CandidateView> answersIn(const Dialogue& dialogue, const Analysis& analysis) {
+  const alignment::Problem& problem = analysis.problem();
+  const achievability::CandidateSet assumed = dialogue.assumed();
+  std::vector<CandidateView> views;
+  for (std::size_t f = 0; f < problem.candidates.size(); ++f) {
+    CandidateView view;
+    view.fluent = problem.candidates[f].fluent;
+    view.is_static = problem.candidates[f].is_static;
+    view.answered_by = dialogue.answeredBy(f);
+    view.assumed = assumed.test(f);
+    if (!analysis.beliefs().empty()) view.probability = analysis.beliefs()[f];
+    view.state = stateFor(dialogue.knowledge()[f]);
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+void addConflicts(const Dialogue& dialogue, const Analysis& analysis, Snapshot& snapshot) {
+  const questions::Situation now = analysis.situation(dialogue.knowledge());
+  for (const Conflict& conflict : now.conflicts) {
+    ConflictView view = {fluentsOf(analysis.problem(), conflict.members), conflict.proven,
+                         conflict.minimal, now.isLive(conflict),
+                         isUnachievableAlone(analysis, conflict)};
+    for (const std::size_t f : achievability::members(conflict.members)) {
+      CandidateView& candidate = snapshot.candidates[f];
+      if (view.live) candidate.conflicts.push_back(snapshot.conflicts.size());
+      if (conflict.proven && conflict.members.count() == 1) candidate.achievable = false;
+    }
+    snapshot.conflicts.push_back(std::move(view));
+  }
+}
+
+/// What can't change the outcome any more.
+void settle(const Analysis& analysis, bool is_done, std::vector<CandidateView>& candidates) {
+  const achievability::Achievability& robot = analysis.robot();
+  for (std::size_t f = 0; f < candidates.size(); ++f) {
+    CandidateView& candidate = candidates[f];
+    const bool free =
+        candidate.conflicts.empty() && (robot.complete() || robot.alwaysTrue().test(f) || is_done);
+    if (candidate.state == CandidateState::Open && free) candidate.state = CandidateState::Settled;
+  }
+}
 
 }  // namespace
 
@@ -34,76 +92,27 @@ const ConflictView* Snapshot::conflictOf(const std::vector<Literal>& these) cons
   return nullptr;
 }
 
-Snapshot Session::Implementation::snapshot() const {
-  Snapshot view;
-  view.state = state_;
-  view.progress = state_ == State::Done ? 1 : static_cast<float>(phase_) / kPhases;
-  view.questions_asked = dialogue_.asked();
-  if (!problem_) return view;
-  view.specified = problem_->specified;
-  view.condition = problem_->condition;
-  const achievability::CandidateSet assumed = dialogue_.assumed();
-  for (std::size_t f = 0; f < problem_->candidates.size(); ++f) {
-    CandidateView candidate;
-    candidate.fluent = problem_->candidates[f].fluent;
-    candidate.is_static = problem_->candidates[f].is_static;
-    candidate.answered_by = dialogue_.answeredBy(f);
-    candidate.assumed = assumed.test(f);
-    if (!beliefs_.empty()) candidate.probability = beliefs_[f];
-    const Knowledge knowledge = dialogue_.knowledge()[f];
-    candidate.state = knowledge == Knowledge::Wanted      ? CandidateState::Wanted
-                      : knowledge == Knowledge::NotWanted ? CandidateState::NotWanted
-                      : knowledge == Knowledge::Unsure    ? CandidateState::Unsure
-                                                          : CandidateState::Open;
-    view.candidates.push_back(std::move(candidate));
-  }
-  if (!robot_analysis_.achievability) return view;
-  view.robot_known = true;
-
-  const questions::Situation now = situation();
-  view.planning = state_ == State::Analysing && phase_ == Phase::Decide && !anyLive();
-  view.conflicts_complete = robot().complete();
-  for (const Conflict& conflict : now.conflicts) {
-    ConflictView shown = {fluents(conflict.members), conflict.proven, conflict.minimal,
-                          now.isLive(conflict), cantBeHadAlone(conflict)};
-    for (const std::size_t f : achievability::members(conflict.members)) {
-      if (shown.live) view.candidates[f].conflicts.push_back(view.conflicts.size());
-      if (conflict.proven && conflict.members.count() == 1) view.candidates[f].achievable = false;
-    }
-    view.conflicts.push_back(std::move(shown));
-  }
-  for (std::size_t f = 0; f < view.candidates.size(); ++f) {
-    CandidateView& candidate = view.candidates[f];
-    const bool free = candidate.conflicts.empty() &&
-                      (robot().complete() || robot().alwaysTrue().test(f) || state_ == State::Done);
-    if (candidate.state == CandidateState::Open && free) candidate.state = CandidateState::Settled;
-  }
-  if (question_) {
-    for (const std::size_t f : dialogue_.openCandidates()) {
-      view.candidates[f].state = CandidateState::Asked;
-    }
-    view.max_remaining = question_->max_remaining;
-  }
-  return view;
-}
-
-std::string Session::Implementation::spelling(const GroundName& ground) const {
-  if (!problem_) return ground.text();
-  const bool robot_knows =
-      problem_->robot.findPredicate(ground.name) || problem_->robot.findSchema(ground.name);
-  return (robot_knows ? problem_->robot : problem_->human).spelling(ground);
-}
-
-std::vector<std::string> Session::Implementation::parameterNames(const std::string& action) const {
-  std::vector<std::string> names;
-  if (!problem_) return names;
-  const auto schema = problem_->robot.findSchema(action);
-  if (!schema) return names;
-  for (const pddl::Parameter& parameter :
-       problem_->robot.schemas[static_cast<std::size_t>(*schema)].parameters) {
-    names.push_back(parameter.name);
-  }
-  return names;
+Snapshot snapshotOf(const Stage& stage, const Dialogue& dialogue, const Analysis& analysis,
+                    const std::optional<QuestionView>& question) {
+  Snapshot snapshot;
+  snapshot.state = stage.state;
+  snapshot.progress = stage.progress;
+  snapshot.questions_asked = dialogue.asked();
+  if (!analysis.hasProblem()) return snapshot;
+  snapshot.specified = analysis.problem().specified;
+  snapshot.condition = analysis.problem().condition;
+  snapshot.candidates = answersIn(dialogue, analysis);
+  if (!analysis.hasRobot()) return snapshot;
+  snapshot.robot_known = true;
+  snapshot.planning = stage.is_deciding && !anyLive(dialogue, analysis);
+  snapshot.conflicts_complete = analysis.robot().complete();
+  addConflicts(dialogue, analysis, snapshot);
+  settle(analysis, stage.state == State::Done, snapshot.candidates);
+  if (!question) return snapshot;
+  for (const std::size_t f : dialogue.openCandidates())
+    snapshot.candidates[f].state = CandidateState::Asked;
+  snapshot.max_remaining = question->max_remaining;
+  return snapshot;
 }
 
 }  // namespace goal_alignment::session

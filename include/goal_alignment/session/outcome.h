@@ -80,6 +80,42 @@ struct Outcome {
                                  ///< empty: something that is no literal
 };
 
+/// What an outcome means, whatever else is in it. The numbers are the exit statuses of the command
+/// line.
+enum class OutcomeKind : std::uint8_t {
+  PlanFound = 0,
+  NoPlan = 1,  ///< proven
+  Invalid = 2,
+  Undecided = 3,
+  Canceled = 4,
+  Internal = 5,
+};
+
+/// Where a dialogue that ends so gets its alternatives from.
+enum class AlternativesFrom : std::uint8_t {
+  Nothing,      ///< there are none
+  KnownPlans,   ///< from the plans that are known already: a limit is used up
+  ShortSearch,  ///< from a search of its own
+};
+
+/// All that is decided by an outcome's code alone: one row of the table of outcomes.
+struct OutcomeTraits {
+  OutcomeCode code;
+  OutcomeKind kind;
+  /// Session::resume() takes the work up where it was left. Models that are invalid may have been
+  /// made so from outside; a plan or a goal that is wrong would be wrong once more.
+  bool resumable;
+  bool rests_on_robot_state;  ///< may be another outcome once the robot's state is another
+  /// Nothing is left to take up after a crash. Internal is neither that nor resumable: the answers
+  /// given must survive a fault of ours.
+  bool closes_journal;
+  bool ended_on_request;  ///< by the person or the client: no answer that still waits counts
+  AlternativesFrom alternatives;
+};
+
+/// The row of this code; that of None for a number that is no code. O(number of codes).
+const OutcomeTraits& outcomeTraits(OutcomeCode code) noexcept;
+
 /// The word of the command line's JSON: plan_found no_plan undecided canceled invalid internal.
 const char* outcomeWord(OutcomeCode code) noexcept;
 

@@ -33,12 +33,11 @@
 ///     while (session.step() != State::Done) {
 ///       if (session.state() == State::AwaitingAnswer) {
 ///         for (const Literal& fluent : session.question()->fluents) {
-///           session.answer({fluent}, person.wants(fluent) ? AnswerKind::Yes : AnswerKind::No,
-///           "me");
+///           session.answer({fluent}, person.wants(fluent) ? AnswerKind::Yes : AnswerKind::No, "me");
 ///         }
 ///       }
 ///     }
-///     execute(session.outcome().plan.steps);   // if outcome().code is Success
+///     execute(session.outcome().plan.steps);  // if outcome().code is Success
 ///
 /// cancel() alone may be called from another thread; everything else belongs to one.
 namespace goal_alignment::session {
@@ -265,8 +264,8 @@ class Session {
   std::vector<std::string> parameterNames(const std::string& action) const;
 
  private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  class StateMachine;
+  std::unique_ptr<StateMachine> machine_;
 };
 
 }  // namespace goal_alignment::session

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "analysed_desk.h"
 #include "goal_alignment/session/session.h"
 #include "goal_alignment/validation/execution.h"
 #include "oracles/random_hagl.h"
 #include "oracles/seeds.h"
 #include "samples.h"
+#include "session/alternatives.h"
 
 /// Where a dialogue ends without a plan there is something to choose.
 namespace goal_alignment::session {
@@ -202,6 +204,20 @@ RC_GTEST_PROP(SessionAlternatives, AfterAProofNoneIsLikelierThanAYesTakenBack, (
       most *= 0.02;
     RC_ASSERT(alternative.probability <= most);
   }
+}
+
+TEST(AlternativesAfter, AreNoneWhereTheOutcomeLeavesNoChoice) {
+  samples::AnalysedDesk at;
+  at.answer({"(held b)"}, AnswerKind::Yes);
+  const auto after = [&](OutcomeCode code) {
+    return alternativesAfter(code, at.dialogue, at.analysis, at.options);
+  };
+  EXPECT_TRUE(after(OutcomeCode::NoAnswer).empty());
+  EXPECT_TRUE(after(OutcomeCode::Success).empty());
+  ASSERT_EQ(after(OutcomeCode::ExpectationUnachievable).size(), 1U);
+  EXPECT_EQ(after(OutcomeCode::ExpectationUnachievable).front().given_up,
+            samples::literals({"(held b)"}));
+  EXPECT_FALSE(after(OutcomeCode::TimeLimit).empty()) << "from the plans that are known";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysed_desk.h"
 #include "goal_alignment/session/session.h"
 #include "goal_alignment/validation/execution.h"
 #include "oracles/algorithm_one.h"
@@ -14,6 +15,7 @@
 #include "oracles/random_hagl.h"
 #include "oracles/seeds.h"
 #include "samples.h"
+#include "session/decision.h"
 
 /// Whole dialogues on random problems, compared with what enumeration says.
 namespace goal_alignment::session {
@@ -277,6 +279,73 @@ RC_GTEST_PROP(Decision, AQuestionLimitEndsUndecidedOrInTime, ()) {
       RC_ASSERT(code(session) == expectedCode(hagl));
     }
   }
+}
+
+using samples::AnalysedDesk;
+
+Decision decide(AnalysedDesk& at, bool ends_unsure = false) {
+  return session::decide(at.dialogue, at.analysis, at.options, ends_unsure);
+}
+
+TEST(Decide, AsksWhileAnswersMatter) {
+  AnalysedDesk at;
+  EXPECT_FALSE(decideWithoutAnswers(at.analysis, at.options).has_value());
+  const Decision decision = decide(at);
+  ASSERT_TRUE(std::holds_alternative<Ask>(decision));
+  const Dialogue::AskedCandidate& posed = std::get<Ask>(decision).posed.front();
+  EXPECT_EQ(at.dialogue.fluents()[posed.candidate], samples::literal("(held b)"));
+  EXPECT_EQ(posed.reason.conflict, samples::literals({"(held b)"}));
+  EXPECT_FALSE(at.dialogue.isOpen()) << "to decide is not to ask";
+}
+
+TEST(Decide, PlansWhereEveryConflictIsHit) {
+  AnalysedDesk at;
+  at.answer({"(held a)", "(held b)"}, AnswerKind::No);
+  const Decision decision = decide(at);
+  ASSERT_TRUE(std::holds_alternative<PlanFor>(decision));
+  EXPECT_EQ(std::get<PlanFor>(decision).achieved, ~at.setOf({"(held a)", "(held b)"}));
+}
+
+TEST(Decide, ProvesThatThereIsNoPlanForWhatIsWanted) {
+  AnalysedDesk at;
+  at.answer({"(held a)", "(free)"}, AnswerKind::Yes);
+  const Decision decision = decide(at);
+  ASSERT_TRUE(std::holds_alternative<NoPlan>(decision));
+  EXPECT_EQ(std::get<NoPlan>(decision).conflict, at.setOf({"(free)", "(held a)"}));
+}
+
+TEST(Decide, IsBlockedByWhatNobodyKnows) {
+  AnalysedDesk at;
+  at.answer({"(held b)"}, AnswerKind::Unsure);
+  const Decision decision = decide(at);
+  ASSERT_TRUE(std::holds_alternative<Blocked>(decision));
+  EXPECT_EQ(std::get<Blocked>(decision).unsure, at.setOf({"(held b)"}));
+  EXPECT_FALSE(std::get<Blocked>(decision).at_once);
+}
+
+TEST(Decide, EndsAtOnceWhereDontKnowIsToEndIt) {
+  AnalysedDesk at;
+  at.answer({"(free)"}, AnswerKind::Unsure);
+  const Decision decision = decide(at, true);
+  ASSERT_TRUE(std::holds_alternative<Blocked>(decision));
+  EXPECT_EQ(std::get<Blocked>(decision).unsure, at.setOf({"(free)"}));
+  EXPECT_TRUE(std::get<Blocked>(decision).at_once);
+  EXPECT_TRUE(std::get<Blocked>(decision).conflict.has_value());
+}
+
+TEST(Decide, ReopensOnceWhatIsDeferred) {
+  Options defer;
+  defer.unsure_policy = UnsurePolicy::Defer;
+  AnalysedDesk at(defer);
+  at.answer({"(held b)"}, AnswerKind::Unsure);
+  const Decision decision = decide(at);
+  ASSERT_TRUE(std::holds_alternative<Reopen>(decision));
+  EXPECT_EQ(std::get<Reopen>(decision).candidates, at.setOf({"(held b)"}));
+  EXPECT_TRUE(std::get<Reopen>(decision).then_ask);
+  at.dialogue.reopen(std::get<Reopen>(decision).candidates);
+  EXPECT_TRUE(std::holds_alternative<Ask>(nextQuestion(at.dialogue, at.analysis, at.options)));
+  at.answer({"(held b)"}, AnswerKind::Unsure);
+  EXPECT_TRUE(std::holds_alternative<Blocked>(decide(at)));
 }
 
 }  // namespace

@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "analysed_desk.h"
 #include "goal_alignment/session/session.h"
 #include "goal_alignment/validation/execution.h"
 #include "oracles/lifted_space.h"
 #include "oracles/random_hagl.h"
 #include "oracles/seeds.h"
 #include "samples.h"
+#include "session/extra_cost.h"
 
 /// What it costs to keep things that nobody asked for.
 namespace goal_alignment::session {
@@ -155,6 +157,23 @@ RC_GTEST_PROP(ExtraCost, WhatIsKeptUnaskedIsCheapEnough, ()) {
   }
   RC_ASSERT(plan.extra_cost <= plan.cost - *least);
   RC_ASSERT(plan.extra_cost >= 0);
+}
+
+TEST(ExtraCost, IsNoMatterWhereAnyIsLetPass) {
+  Options options;
+  EXPECT_FALSE(costsMatter(options));
+  options.max_extra_cost = 0;
+  EXPECT_TRUE(costsMatter(options));
+}
+
+TEST(ExtraCost, OfAPlanIsWhatHoldsAtItsEnd) {
+  samples::AnalysedDesk at;
+  const auto wanted = at.setOf({"(held a)"});
+  const achievability::Check check = at.analysis.robot().check(wanted, at.budget.limits());
+  ASSERT_EQ(check.verdict, achievability::Verdict::Achievable);
+  const auto held = trueAtEnd(at.analysis, check.plan);
+  EXPECT_TRUE(wanted.is_subset_of(held));
+  EXPECT_FALSE(held.intersects(at.setOf({"(free)", "(down a)", "(held b)"})));
 }
 
 }  // namespace

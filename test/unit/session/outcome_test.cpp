@@ -36,6 +36,39 @@ TEST(Outcome, EveryCodeHasItsWordAndExitStatus) {
   }
 }
 
+std::vector<int> codesWith(bool OutcomeTraits::*trait) {
+  std::vector<int> codes;
+  for (int code = 0; code < 100; ++code) {
+    const OutcomeTraits& row = outcomeTraits(static_cast<OutcomeCode>(code));
+    if (static_cast<int>(row.code) == code && row.*trait) codes.push_back(code);
+  }
+  return codes;
+}
+
+std::vector<int> codesWith(AlternativesFrom from) {
+  std::vector<int> codes;
+  for (int code = 0; code < 100; ++code) {
+    const OutcomeTraits& row = outcomeTraits(static_cast<OutcomeCode>(code));
+    if (static_cast<int>(row.code) == code && row.alternatives == from) codes.push_back(code);
+  }
+  return codes;
+}
+
+using Codes = std::vector<int>;
+
+TEST(Outcome, EveryCodeHasItsTraits) {
+  EXPECT_EQ(codesWith(&OutcomeTraits::resumable), (Codes{50, 53, 54, 55, 60, 61, 62, 64, 70, 73}));
+  EXPECT_EQ(codesWith(&OutcomeTraits::rests_on_robot_state), (Codes{1, 51, 52}));
+  EXPECT_EQ(codesWith(&OutcomeTraits::closes_journal), (Codes{0, 1, 51, 52, 63, 65, 71, 72}));
+  EXPECT_EQ(codesWith(&OutcomeTraits::ended_on_request), (Codes{50, 61}));
+  EXPECT_EQ(codesWith(AlternativesFrom::KnownPlans), (Codes{53, 54}));
+  EXPECT_EQ(codesWith(AlternativesFrom::ShortSearch), (Codes{52, 55, 61, 62, 64}));
+}
+
+TEST(Outcome, ANumberThatIsNoCodeIsReadAsNone) {
+  EXPECT_EQ(outcomeTraits(static_cast<OutcomeCode>(79)).code, OutcomeCode::None);
+}
+
 TEST(Outcome, OfALimit) {
   EXPECT_EQ(outcomeOf(LimitReason::Cancelled), OutcomeCode::Canceled);
   EXPECT_EQ(outcomeOf(LimitReason::Memory), OutcomeCode::MemoryLimit);

@@ -104,5 +104,16 @@ TEST(RobotState, NeedsATask) {
   EXPECT_THROW(session.setRobotState({}), std::logic_error);
 }
 
+// The answer may be on its way when the robot's state changes.
+TEST(RobotState, ADontKnowThatEndsItWaitsForTheNewAnalysis) {
+  Options abort;
+  abort.unsure_policy = UnsurePolicy::Abort;
+  Session session = samples::atFirstQuestion(abort);
+  session.setRobotState(session.robotState());
+  EXPECT_TRUE(session.answer(samples::literals({"(held b)"}), AnswerKind::Unsure, "me").accepted);
+  EXPECT_EQ(samples::think(session), State::Done);
+  EXPECT_EQ(samples::code(session), 64);
+}
+
 }  // namespace
 }  // namespace goal_alignment::session

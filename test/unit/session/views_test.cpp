@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "analysed_desk.h"
 #include "goal_alignment/session/session.h"
 #include "oracles/random_hagl.h"
 #include "oracles/seeds.h"
 #include "samples.h"
+#include "session/views.h"
 
 /// What an onlooker sees.
 namespace goal_alignment::session {
@@ -143,6 +145,19 @@ TEST(Snapshot, FindsCandidatesAndConflicts) {
   EXPECT_FALSE(conflict->isOf(literals({"(free)"})));
   EXPECT_EQ(view.conflictOf(literals({"(free)"})), nullptr);
   EXPECT_EQ(view.conflictOf({}), nullptr);
+}
+
+TEST(SnapshotOf, SaysThatAPlanIsSoughtWhereNoConflictIsLeft) {
+  samples::AnalysedDesk at;
+  Stage stage;
+  stage.state = State::Analysing;
+  stage.is_deciding = true;
+  EXPECT_FALSE(snapshotOf(stage, at.dialogue, at.analysis, std::nullopt).planning);
+  at.answer({"(held a)", "(held b)"}, AnswerKind::No);
+  const Snapshot then = snapshotOf(stage, at.dialogue, at.analysis, std::nullopt);
+  EXPECT_TRUE(then.planning);
+  EXPECT_EQ(then.conflicts.size(), 3U);
+  EXPECT_FALSE(then.conflicts.front().live);
 }
 
 }  // namespace

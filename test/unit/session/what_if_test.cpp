@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "analysed_desk.h"
 #include "goal_alignment/session/session.h"
 #include "goal_alignment/validation/execution.h"
 #include "oracles/random_hagl.h"
 #include "oracles/seeds.h"
 #include "samples.h"
+#include "session/what_if.h"
 
 /// What would follow from answers that nobody has given.
 namespace goal_alignment::session {
@@ -103,6 +105,16 @@ TEST(WhatIf, NeedsCandidatesAndModels) {
   samples::think(session);
   EXPECT_THROW(session.whatIf(literals({"(fly a)"}), {}, kSeconds), std::invalid_argument);
   EXPECT_THROW(session.whatIf(literals({"(held b)"}), literals({"(held b)"}), kSeconds),
+               std::invalid_argument);
+}
+
+TEST(Suppose, ChangesNoAnswer) {
+  const samples::AnalysedDesk at;
+  const auto then = suppose(at.dialogue, literals({"(free)"}), literals({"(held a)"}));
+  EXPECT_EQ(then[2], questions::Knowledge::Wanted);
+  EXPECT_EQ(then[3], questions::Knowledge::NotWanted);
+  EXPECT_EQ(at.dialogue.knowledge()[2], questions::Knowledge::Open);
+  EXPECT_THROW(suppose(at.dialogue, literals({"(free)"}), literals({"(free)"})),
                std::invalid_argument);
 }
 

@@ -10,7 +10,7 @@
 #include "oracles/seeds.h"
 #include "samples.h"
 
-/// A dialogue that was broken off goes on where it was.
+/// A dialogue that was aborted resumes where it was.
 namespace goal_alignment::session {
 namespace {
 
@@ -26,7 +26,7 @@ using samples::talk;
 using samples::think;
 using samples::wanting;
 
-TEST(SessionGoesOn, AfterACancelWithTheSameQuestion) {
+TEST(SessionResume, AfterACancelWithTheSameQuestion) {
   Session session = atFirstQuestion();
   const std::vector<Literal> asked = session.question()->fluents;
   session.cancel();
@@ -37,7 +37,7 @@ TEST(SessionGoesOn, AfterACancelWithTheSameQuestion) {
   EXPECT_EQ(session.question()->fluents, asked);
 }
 
-TEST(SessionGoesOn, AndCountsAQuestionOncePerGoal) {
+TEST(SessionResume, AndCountsAQuestionOncePerGoal) {
   Session session = atFirstQuestion();
   session.setRobotState(session.robotState());
   ASSERT_EQ(think(session), State::AwaitingAnswer);
@@ -50,7 +50,7 @@ TEST(SessionGoesOn, AndCountsAQuestionOncePerGoal) {
   EXPECT_EQ(session.snapshot().questions_asked, 2U);
 }
 
-TEST(SessionGoesOn, AfterACancelBeforeTheModelsWereRead) {
+TEST(SessionResume, AfterACancelBeforeTheModelsWereRead) {
   Session session{Options{}};
   session.begin(desk());
   session.cancel();
@@ -60,7 +60,7 @@ TEST(SessionGoesOn, AfterACancelBeforeTheModelsWereRead) {
   EXPECT_EQ(think(session), State::AwaitingAnswer);
 }
 
-TEST(SessionGoesOn, AfterSilenceAndDecline) {
+TEST(SessionResume, AfterSilenceAndDecline) {
   Session session = atFirstQuestion();
   session.answerTimedOut("nobody is there");
   ASSERT_EQ(code(session), 60);
@@ -72,7 +72,7 @@ TEST(SessionGoesOn, AfterSilenceAndDecline) {
   EXPECT_EQ(think(session), State::AwaitingAnswer);
 }
 
-TEST(SessionGoesOn, AfterTheWorldOutsideBrokeItOff) {
+TEST(SessionResume, AfterTheWorldOutsideBrokeItOff) {
   Session session{Options{}};
   session.abort(OutcomeCode::StateUnknown, "where is it?");
   EXPECT_EQ(session.state(), State::Idle);
@@ -93,7 +93,7 @@ TEST(SessionGoesOn, AfterTheWorldOutsideBrokeItOff) {
   EXPECT_GE(session.snapshot().questions_asked, asked) << "the answer is kept";
 }
 
-TEST(SessionGoesOn, AfterTheQuestionLimitWithANewAllowance) {
+TEST(SessionResume, AfterTheQuestionLimitWithANewAllowance) {
   Options none;
   none.max_questions = 0;
   Session session(none);
@@ -113,7 +113,7 @@ TEST(SessionGoesOn, AfterTheQuestionLimitWithANewAllowance) {
   EXPECT_NE(session.question()->fluents.front(), fluent);
 }
 
-TEST(SessionGoesOn, AfterATimeLimitWithANewOne) {
+TEST(SessionResume, AfterATimeLimitWithANewOne) {
   Options tiny;
   tiny.time_limit = 1e-9;
   Session session(tiny);
@@ -124,7 +124,7 @@ TEST(SessionGoesOn, AfterATimeLimitWithANewOne) {
   EXPECT_EQ(think(session), State::AwaitingAnswer);
 }
 
-TEST(SessionGoesOn, NotFromADefiniteOutcome) {
+TEST(SessionResume, NotFromADefiniteOutcome) {
   Session session = atFirstQuestion();
   talk(session, wanting({}));
   ASSERT_EQ(code(session), 1);
@@ -133,7 +133,7 @@ TEST(SessionGoesOn, NotFromADefiniteOutcome) {
   EXPECT_EQ(code(session), 1);
 }
 
-TEST(SessionGoesOn, UnderAnUnsurePolicyThatDecides) {
+TEST(SessionResume, UnderAnUnsurePolicyThatDecides) {
   Options abort;
   abort.unsure_policy = UnsurePolicy::Abort;
   Session session = atFirstQuestion(abort);
@@ -162,7 +162,7 @@ std::size_t timesAskedAboutHeldB(Session& session) {
   return times;
 }
 
-TEST(SessionGoesOn, UnderItsOwnUnsurePolicy) {
+TEST(SessionResume, UnderItsOwnUnsurePolicy) {
   Session session = atFirstQuestion(under(UnsurePolicy::Defer));
   session.answerTimedOut("nobody is there");
   session.resume({});
@@ -170,7 +170,7 @@ TEST(SessionGoesOn, UnderItsOwnUnsurePolicy) {
   EXPECT_EQ(timesAskedAboutHeldB(session), 2U);
 }
 
-TEST(SessionGoesOn, UnderTheUnsurePolicyThatItIsGiven) {
+TEST(SessionResume, UnderTheUnsurePolicyThatItIsGiven) {
   Session session = atFirstQuestion(under(UnsurePolicy::Defer));
   session.answerTimedOut("nobody is there");
   session.resume(under(UnsurePolicy::AsYes));
@@ -178,7 +178,7 @@ TEST(SessionGoesOn, UnderTheUnsurePolicyThatItIsGiven) {
   EXPECT_EQ(timesAskedAboutHeldB(session), 1U);
 }
 
-TEST(SessionGoesOn, UnderDeferAfterARevisedAnswer) {
+TEST(SessionResume, UnderDeferAfterARevisedAnswer) {
   Session session = atFirstQuestion(under(UnsurePolicy::Defer));
   talk(session, wanting({}));
   ASSERT_EQ(code(session), 1);
@@ -187,7 +187,7 @@ TEST(SessionGoesOn, UnderDeferAfterARevisedAnswer) {
   EXPECT_EQ(timesAskedAboutHeldB(session), 1U) << "once more";
 }
 
-TEST(SessionGoesOn, UnderAbortUntilTheNextDontKnow) {
+TEST(SessionResume, UnderAbortUntilTheNextDontKnow) {
   Session session = atFirstQuestion(under(UnsurePolicy::Abort));
   ASSERT_TRUE(session.answer(session.question()->fluents, AnswerKind::No, "Ann").accepted);
   ASSERT_EQ(think(session), State::AwaitingAnswer);
@@ -199,7 +199,7 @@ TEST(SessionGoesOn, UnderAbortUntilTheNextDontKnow) {
   EXPECT_EQ(code(session), 64);
 }
 
-TEST(SessionGoesOn, AnOptionOutOfRangeIsRefused) {
+TEST(SessionResume, AnOptionOutOfRangeIsRefused) {
   Session session = atFirstQuestion();
   Options broken;
   broken.max_questions = -2;
@@ -225,7 +225,7 @@ TEST(SessionAnswers, AreTakenAsSoonAsTheModelsAreRead) {
 }
 
 // Broken off anywhere and however often: the same outcome, and nothing is asked twice.
-RC_GTEST_PROP(SessionGoesOn, ToTheSameOutcomeAndAsksNothingTwice, ()) {
+RC_GTEST_PROP(SessionResume, ToTheSameOutcomeAndAsksNothingTwice, ()) {
   RandomSource random = oracles::anySource();
   const Hagl hagl = oracles::randomHagl(random);
   RC_LOG() << samples::text(hagl);

@@ -6,10 +6,12 @@
 #include <set>
 #include <vector>
 
+#include "analysed_desk.h"
 #include "goal_alignment/session/session.h"
 #include "oracles/random_hagl.h"
 #include "oracles/seeds.h"
 #include "samples.h"
+#include "session/open_question.h"
 
 /// What a question says of itself, also after answers to something else.
 namespace goal_alignment::session {
@@ -122,6 +124,17 @@ TEST(Asking, OfAGroupTheProspectsAreThoseOfWhatIsLeft) {
   EXPECT_EQ(session.question()->max_remaining, 1U);
   EXPECT_EQ(session.question()->if_no.ending, questions::AnswerEffect::Ending::Plan);
   EXPECT_EQ(session.question()->if_yes.ending, questions::AnswerEffect::Ending::NoPlan);
+}
+
+TEST(OpenQuestion, MattersAsLongAsItsConflictIsLive) {
+  samples::AnalysedDesk at;
+  at.dialogue.ask({{*at.dialogue.find(literal("(free)")), {}}});
+  const QuestionView question = openQuestion(at.dialogue, at.analysis, at.options);
+  EXPECT_EQ(question.fluents, literals({"(free)"}));
+  EXPECT_TRUE(question.at_end);
+  EXPECT_TRUE(stillMatters(question, at.dialogue, at.analysis));
+  at.answer({"(held a)"}, AnswerKind::No);
+  EXPECT_FALSE(stillMatters(question, at.dialogue, at.analysis));
 }
 
 }  // namespace
