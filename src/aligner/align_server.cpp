@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/align_server.h"
+#include "align_server.h"
 
 #include <fmt/format.h>
 #include <ros/console.h>

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "goal_alignment/aligner/align_goal_reader.h"
-#include "goal_alignment/aligner/alignment_runner.h"
+#include "align_goal_reader.h"
+#include "alignment_runner.h"
 #include "goal_alignment/ros_common/stamp.h"
 
 namespace goal_alignment::aligner {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "goal_alignment/aligner/alignment_runner.h"
+#include "alignment_runner.h"
 
 namespace goal_alignment::aligner {
 namespace {

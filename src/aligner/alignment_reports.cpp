@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "goal_alignment/aligner/alignment_runner.h"
+#include "alignment_runner.h"
 #include "goal_alignment/ros_common/names.h"
 
 namespace goal_alignment::aligner {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/alignment_runner.h"
+#include "alignment_runner.h"
 
 #include <fmt/format.h>
 #include <ros/console.h>
@@ -11,9 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "goal_alignment/aligner/align_goal_reader.h"
-#include "goal_alignment/aligner/outcome_text.h"
+#include "align_goal_reader.h"
+#include "goal_alignment/aligner/phrases_file.h"
 #include "goal_alignment/ros_common/stamp.h"
+#include "outcome_text.h"
 
 namespace goal_alignment::aligner {
 namespace {

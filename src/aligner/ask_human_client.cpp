@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/ask_human_client.h"
+#include "ask_human_client.h"
 
 #include <fmt/format.h>
 #include <ros/service.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/goal_ticket.h"
+#include "goal_ticket.h"
 
 #include <ros/console.h>
 #include <ros/serialization.h>

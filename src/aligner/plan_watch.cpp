@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/plan_watch.h"
+#include "plan_watch.h"
 
 #include <fmt/format.h>
 

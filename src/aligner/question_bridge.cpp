@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/question_bridge.h"
+#include "question_bridge.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/robot_facts.h"
+#include "robot_facts.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/under_way.h"
+#include "under_way.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/node_options.h"
+#include "aligner/node_options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/plan_watch.h"
+#include "aligner/plan_watch.h"
 
 #include <gtest/gtest.h>
 

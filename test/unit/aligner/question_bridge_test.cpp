@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/question_bridge.h"
+#include "aligner/question_bridge.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/under_way.h"
+#include "aligner/under_way.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -16,9 +16,9 @@
 
 #include "goal_alignment/AlignmentState.h"
 #include "goal_alignment/Answer.h"
-#include "goal_alignment/aligner/question_ids.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/session/session.h"
+#include "question_ids.h"
 
 namespace goal_alignment::aligner {
 

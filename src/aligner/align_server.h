@@ -10,13 +10,13 @@
 #include <string>
 #include <thread>
 
+#include "alignment_runner.h"
+#include "announcer.h"
 #include "goal_alignment/AlignAction.h"
-#include "goal_alignment/aligner/alignment_runner.h"
-#include "goal_alignment/aligner/announcer.h"
-#include "goal_alignment/aligner/goal_ticket.h"
-#include "goal_alignment/aligner/plan_watch.h"
-#include "goal_alignment/aligner/task_queue.h"
 #include "goal_alignment/ros_common/action_server.h"
+#include "goal_ticket.h"
+#include "plan_watch.h"
+#include "task_queue.h"
 
 namespace goal_alignment::aligner {
 

@@ -6,11 +6,10 @@
 #include <string>
 
 #include "goal_alignment/AlignGoal.h"
-#include "goal_alignment/aligner/node_options.h"
-#include "goal_alignment/phrasing/phrases.h"
 #include "goal_alignment/session/options.h"
 #include "goal_alignment/session/session.h"
 #include "goal_alignment/spatial_facts/rules.h"
+#include "node_options.h"
 
 namespace goal_alignment::aligner {
 
@@ -30,9 +29,6 @@ session::Input parameterModels(const NodeOptions& options);
 /// The session's options: the parameters, with what the goal says about them; no unsure_policy
 /// where a session that goes on keeps its own. Throws GoalError.
 session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options);
-
-/// The templates of the file; none for "". Throws std::runtime_error.
-phrasing::Phrases phrasesOf(const std::string& file);
 
 /// The rules of the file; null for "". Throws GoalError.
 std::shared_ptr<const spatial_facts::Rules> rulesOf(const std::string& file);

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "goal_alignment/aligner/said_facts.h"
 #include "goal_alignment/session/session.h"
+#include "said_facts.h"
 
 namespace goal_alignment::aligner {
 

@@ -9,8 +9,8 @@
 #include <map>
 #include <string>
 
-#include "goal_alignment/aligner/announcer.h"
-#include "goal_alignment/aligner/markers.h"
+#include "announcer.h"
+#include "markers.h"
 
 namespace goal_alignment::aligner {
 

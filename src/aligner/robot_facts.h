@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "fact_file.h"
 #include "goal_alignment/Fluent.h"
 #include "goal_alignment/GetFacts.h"
-#include "goal_alignment/aligner/fact_file.h"
-#include "goal_alignment/aligner/said_facts.h"
 #include "goal_alignment/common/ground_name.h"
 #include "goal_alignment/pddl/model.h"
 #include "goal_alignment/session/session.h"
 #include "goal_alignment/spatial_facts/observer.h"
+#include "said_facts.h"
 
 namespace goal_alignment::aligner {
 

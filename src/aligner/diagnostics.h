@@ -11,8 +11,8 @@
 #include <mutex>
 #include <string>
 
-#include "goal_alignment/aligner/announcer.h"
-#include "goal_alignment/aligner/journal.h"
+#include "announcer.h"
+#include "journal.h"
 
 namespace goal_alignment::aligner {
 

@@ -13,19 +13,19 @@
 #include <string>
 #include <vector>
 
-#include "goal_alignment/aligner/announcer.h"
-#include "goal_alignment/aligner/ask_human_client.h"
-#include "goal_alignment/aligner/explainer.h"
-#include "goal_alignment/aligner/goal_ticket.h"
-#include "goal_alignment/aligner/journal.h"
-#include "goal_alignment/aligner/node_options.h"
-#include "goal_alignment/aligner/plan_watch.h"
-#include "goal_alignment/aligner/question_bridge.h"
-#include "goal_alignment/aligner/robot_facts.h"
-#include "goal_alignment/aligner/tf_state_bridge.h"
-#include "goal_alignment/aligner/under_way.h"
+#include "announcer.h"
+#include "ask_human_client.h"
+#include "explainer.h"
 #include "goal_alignment/ros_common/message_conversion.h"
 #include "goal_alignment/session/session.h"
+#include "goal_ticket.h"
+#include "journal.h"
+#include "node_options.h"
+#include "plan_watch.h"
+#include "question_bridge.h"
+#include "robot_facts.h"
+#include "tf_state_bridge.h"
+#include "under_way.h"
 
 namespace goal_alignment::aligner {
 

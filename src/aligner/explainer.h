@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "explanation.h"
 #include "goal_alignment/Explain.h"
-#include "goal_alignment/aligner/explanation.h"
-#include "goal_alignment/aligner/what_if_query.h"
+#include "what_if_query.h"
 
 namespace goal_alignment::aligner {
 

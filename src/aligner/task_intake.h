@@ -9,12 +9,12 @@
 #include <map>
 #include <string>
 
+#include "align_server.h"
+#include "announcer.h"
 #include "goal_alignment/AlignAction.h"
 #include "goal_alignment/HumanTask.h"
-#include "goal_alignment/aligner/align_server.h"
-#include "goal_alignment/aligner/announcer.h"
-#include "goal_alignment/aligner/taken_tasks.h"
-#include "goal_alignment/aligner/task_repeats.h"
+#include "taken_tasks.h"
+#include "task_repeats.h"
 
 namespace goal_alignment::aligner {
 
