@@ -47,7 +47,7 @@ class AlignServer {
   void wakeUp();
 
   /// The watch knows more than before.
-  void lookAtExecutor();
+  void onExecutorStatus();
 
   /// The node is about to end: cancels the goals there are and those to come, and returns when the
   /// solver thread has left its session. The destructor does it as well.

@@ -131,7 +131,7 @@ void AskHumanClient::Shared::run() {
       if (node->serviceClient<AskHuman>(ros_common::kAskHumanService, true).call(call)) {
         treat(*asked, call.response);
       } else if (isOpen(*asked)) {  // else who was asked may have left it
-        complainOnce(*asked, fmt::format("a call of {} broke off; it is tried again", service));
+        complainOnce(*asked, fmt::format("a call of {} failed and is retried", service));
       }
     }
     pause(*asked);

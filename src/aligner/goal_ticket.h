@@ -17,7 +17,7 @@ std::string identityOf(const AlignGoal& goal);
 
 /// One goal on its way through the node. It ends once: whoever claims it first, the solver thread
 /// with an outcome or a callback with a cancel, says how. A ticket that nobody holds any more and
-/// that was not concluded ends as INTERNAL, so that no client waits for ever. Thread-safe.
+/// whose result was not sent ends as INTERNAL, so that no client waits for ever. Thread-safe.
 class GoalTicket {
  public:
   using Handle = actionlib::ServerGoalHandle<AlignAction>;
@@ -49,10 +49,10 @@ class GoalTicket {
   bool isDisplaced() const { return displaced_; }
 
   bool ended() const { return claimed_; }
-  /// True for one caller, who must conclude().
+  /// True for one caller, who must sendResult().
   bool claim() { return !claimed_.exchange(true); }
   /// Sends the result, with the goal status that its outcome asks for. Only the first one goes out.
-  void conclude(AlignResult result);
+  void sendResult(AlignResult result);
 
  private:
   Handle handle_;
@@ -62,7 +62,7 @@ class GoalTicket {
   std::atomic<bool> claimed_{false};
   mutable std::mutex mutex_;  // guards the three below
   bool accepted_ = false;
-  bool concluded_ = false;
+  bool result_sent_ = false;
   AlignResult interim_;
 };
 

@@ -61,7 +61,7 @@ struct NodeOptions {
   /// The tf frames of objects, for markers; that of another object has its name.
   std::map<std::string, std::string> marker_frames;
 
-  std::vector<std::string> unknown;  ///< private parameters that nobody reads
+  std::vector<std::string> unknown;  ///< unknown private parameters
 
   NodeOptions();
 

@@ -27,7 +27,7 @@ class PlanWatch {
   };
 
   /// A plan that went out.
-  struct GivenOut {
+  struct PublishedPlan {
     std::int32_t plan_id = 0;
     std::string task_id;
     std::string person;
@@ -37,19 +37,19 @@ class PlanWatch {
   explicit PlanWatch(std::function<Clock::time_point()> now = Clock::now);
 
   /// Before anyone can have the plan.
-  void giveOut(GivenOut plan);
+  void onPlanPublished(PublishedPlan plan);
   /// All that the executor has on its list.
-  void hear(const std::vector<actionlib_msgs::GoalStatus>& goals);
+  void onExecutorStatus(const std::vector<actionlib_msgs::GoalStatus>& goals);
 
   Standing standing() const;
   /// How often the executor was heard.
-  unsigned timesHeard() const;
+  unsigned statusCount() const;
   /// When the standing may change although nothing more is heard; the largest time point: never.
   Clock::time_point nextChange() const;
   /// Whether the plan being carried out is one for this task.
-  bool carriesOut(const std::string& identity) const;
+  bool isExecuting(const std::string& identity) const;
   /// "plan 3 for the task tea of Ann is being carried out"; as if one were.
-  std::string story() const;
+  std::string description() const;
 
  private:
   // All need the mutex.
@@ -59,10 +59,10 @@ class PlanWatch {
   const std::function<Clock::time_point()> now_;
   mutable std::mutex mutex_;  // guards all below
   std::optional<Clock::time_point> heard_;
-  unsigned times_heard_ = 0;
+  unsigned status_count_ = 0;
   std::set<std::string> known_goals_;
   std::string active_goal_;  // empty: none
-  std::optional<GivenOut> last_;
+  std::optional<PublishedPlan> last_;
   std::optional<Clock::time_point> undecided_since_;
 };
 

@@ -25,7 +25,7 @@ class TaskQueue {
     WaitingTask shown;
     std::string identity;          ///< equal for equal tasks
     bool refused_if_busy = false;  ///< waits only until it is known whether a plan is carried out
-    unsigned heard_before = 0;     ///< of the executor, when it came
+    unsigned statuses_before = 0;  ///< of the executor, when it came
     Ticket ticket;
   };
 

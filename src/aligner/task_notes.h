@@ -12,7 +12,7 @@ namespace goal_alignment::aligner {
 /// A note on disk of the task that a node is at and of those that wait, so that a node that was
 /// killed can say, when it is back, which tasks ended with it. A folder that can't be written to is
 /// complained of once. Thread-safe.
-class UnderWay {
+class TaskNotes {
  public:
   struct Task {
     std::string session_id;
@@ -27,15 +27,15 @@ class UnderWay {
   using ErrorCallback = std::function<void(const std::string&)>;
 
   /// `robot` is the name of its node.
-  UnderWay(const std::string& folder, const std::string& robot, ErrorCallback complain);
+  TaskNotes(const std::string& folder, const std::string& robot, ErrorCallback complain);
 
   void begin(const Task& task);
   void end();
   /// These wait from now on.
-  void wait(std::vector<Task> tasks);
+  void setWaiting(std::vector<Task> tasks);
 
   /// The tasks that a run of the node before this one did not end; they are told once.
-  Tasks lost();
+  Tasks takeLost();
 
  private:
   void write();  // needs mutex_

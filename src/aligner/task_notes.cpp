@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "under_way.h"
+#include "task_notes.h"
 
 #include <fmt/format.h>
 
@@ -20,38 +20,38 @@ using nlohmann::json;
 
 namespace {
 
-json toJson(const UnderWay::Task& task) {
+json toJson(const TaskNotes::Task& task) {
   return {{"session_id", task.session_id}, {"task_id", task.task_id}, {"person", task.person}};
 }
 
-UnderWay::Task taskOf(const json& note) {
+TaskNotes::Task taskOf(const json& note) {
   return {note.at("session_id"), note.at("task_id"), note.at("person")};
 }
 
 }  // namespace
 
-UnderWay::UnderWay(const std::string& folder, const std::string& robot, ErrorCallback complain)
+TaskNotes::TaskNotes(const std::string& folder, const std::string& robot, ErrorCallback complain)
     : file_(fileOfRobot(folder, robot)), report_error_(std::move(complain)) {}
 
-void UnderWay::begin(const Task& task) {
+void TaskNotes::begin(const Task& task) {
   const std::lock_guard<std::mutex> lock(mutex_);
   now_.running = task;
   write();
 }
 
-void UnderWay::end() {
+void TaskNotes::end() {
   const std::lock_guard<std::mutex> lock(mutex_);
   now_.running.reset();
   write();
 }
 
-void UnderWay::wait(std::vector<Task> tasks) {
+void TaskNotes::setWaiting(std::vector<Task> tasks) {
   const std::lock_guard<std::mutex> lock(mutex_);
   now_.waiting = std::move(tasks);
   write();
 }
 
-void UnderWay::write() {
+void TaskNotes::write() {
   if (!now_.running && now_.waiting.empty()) {
     std::error_code gone;
     if (std::exchange(noted_, false)) fs::remove(file_, gone);
@@ -66,11 +66,11 @@ void UnderWay::write() {
     noted_ = true;
   } catch (const std::exception& error) {
     if (!std::exchange(complained_, true))
-      report_error_(fmt::format("the task under way can't be noted: {}", error.what()));
+      report_error_(fmt::format("the running task can't be recorded: {}", error.what()));
   }
 }
 
-UnderWay::Tasks UnderWay::lost() {
+TaskNotes::Tasks TaskNotes::takeLost() {
   std::error_code none;
   if (!fs::exists(file_, none)) return {};
   Tasks tasks;
@@ -81,8 +81,7 @@ UnderWay::Tasks UnderWay::lost() {
       tasks.waiting.push_back(taskOf(task));
   } catch (const std::exception& error) {
     tasks = {};
-    report_error_(
-        fmt::format("the note of the tasks that were under way can't be read: {}", error.what()));
+    report_error_(fmt::format("the record of running tasks can't be read: {}", error.what()));
   }
   fs::remove(file_, none);
   return tasks;

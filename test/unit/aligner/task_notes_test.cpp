@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aligner/under_way.h"
+#include "aligner/task_notes.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -13,83 +13,83 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class UnderWayTest : public testing::Test {
+class TaskNotesTest : public testing::Test {
  protected:
-  UnderWayTest()
+  TaskNotesTest()
       : folder_(fs::temp_directory_path() / ("under_way_test." + std::to_string(getpid()))) {}
-  ~UnderWayTest() override { fs::remove_all(folder_); }
+  ~TaskNotesTest() override { fs::remove_all(folder_); }
 
   // As after a restart.
-  UnderWay noteOf(const std::string& robot = "/r") {
-    return UnderWay(folder_.string(), robot,
-                    [this](const std::string& line) { complaints_.push_back(line); });
+  TaskNotes noteOf(const std::string& robot = "/r") {
+    return TaskNotes(folder_.string(), robot,
+                     [this](const std::string& line) { complaints_.push_back(line); });
   }
 
   fs::path folder_;
   std::vector<std::string> complaints_;
 };
 
-TEST_F(UnderWayTest, aTaskThatDidNotEndIsToldOnce) {
+TEST_F(TaskNotesTest, aTaskThatDidNotEndIsToldOnce) {
   noteOf().begin({"s", "tidy", "Ann \"\n\xff"});
-  EXPECT_FALSE(noteOf("/another").lost().running);
-  const auto lost = noteOf().lost().running;
+  EXPECT_FALSE(noteOf("/another").takeLost().running);
+  const auto lost = noteOf().takeLost().running;
   ASSERT_TRUE(lost);
   EXPECT_EQ(lost->session_id, "s");
   EXPECT_EQ(lost->task_id, "tidy");
   EXPECT_EQ(lost->person.substr(0, 6), "Ann \"\n");
-  EXPECT_FALSE(noteOf().lost().running);
+  EXPECT_FALSE(noteOf().takeLost().running);
   EXPECT_TRUE(complaints_.empty());
 }
 
-TEST_F(UnderWayTest, aTaskThatEndedIsNotLost) {
-  UnderWay note = noteOf();
+TEST_F(TaskNotesTest, aTaskThatEndedIsNotLost) {
+  TaskNotes note = noteOf();
   note.begin({"s", "", ""});
   note.begin({"t", "", ""});
   note.end();
-  EXPECT_FALSE(noteOf().lost().running);
+  EXPECT_FALSE(noteOf().takeLost().running);
   note.end();
   EXPECT_TRUE(complaints_.empty());
 }
 
-TEST_F(UnderWayTest, tasksThatWaitedAreToldAfterTheOneThatRan) {
+TEST_F(TaskNotesTest, tasksThatWaitedAreToldAfterTheOneThatRan) {
   {
-    UnderWay note = noteOf();
-    note.wait({{"", "tidy", "Ann"}, {"", "tea", ""}});
+    TaskNotes note = noteOf();
+    note.setWaiting({{"", "tidy", "Ann"}, {"", "tea", ""}});
     note.begin({"s", "sweep", "Bob"});
-    note.wait({{"", "tea", ""}});
+    note.setWaiting({{"", "tea", ""}});
   }
-  const UnderWay::Tasks lost = noteOf().lost();
+  const TaskNotes::Tasks lost = noteOf().takeLost();
   ASSERT_TRUE(lost.running);
   EXPECT_EQ(lost.running->task_id, "sweep");
   ASSERT_EQ(lost.waiting.size(), 1U);
   EXPECT_EQ(lost.waiting[0].task_id, "tea");
-  EXPECT_TRUE(noteOf().lost().waiting.empty());
+  EXPECT_TRUE(noteOf().takeLost().waiting.empty());
 }
 
-TEST_F(UnderWayTest, oneThatWaitsStaysNotedWhenTheOtherEnds) {
+TEST_F(TaskNotesTest, oneThatWaitsStaysNotedWhenTheOtherEnds) {
   {
-    UnderWay note = noteOf();
+    TaskNotes note = noteOf();
     note.begin({"s", "sweep", "Bob"});
-    note.wait({{"", "tea", ""}});
+    note.setWaiting({{"", "tea", ""}});
     note.end();
   }
-  const UnderWay::Tasks lost = noteOf().lost();
+  const TaskNotes::Tasks lost = noteOf().takeLost();
   EXPECT_FALSE(lost.running);
   EXPECT_EQ(lost.waiting.size(), 1U);
 }
 
-TEST_F(UnderWayTest, aNoteThatNobodyCanReadIsComplainedOfAndGoes) {
+TEST_F(TaskNotesTest, aNoteThatNobodyCanReadIsComplainedOfAndGoes) {
   noteOf().begin({"s", "", ""});
   std::ofstream(folder_ / "r.json") << "{";
-  EXPECT_FALSE(noteOf().lost().running);
+  EXPECT_FALSE(noteOf().takeLost().running);
   EXPECT_EQ(complaints_.size(), 1U);
-  EXPECT_FALSE(noteOf().lost().running);
+  EXPECT_FALSE(noteOf().takeLost().running);
   EXPECT_EQ(complaints_.size(), 1U);
 }
 
-TEST_F(UnderWayTest, aFolderThatCannotBeIsComplainedOfOnce) {
+TEST_F(TaskNotesTest, aFolderThatCannotBeIsComplainedOfOnce) {
   std::ofstream(folder_) << "a file";
-  UnderWay note = noteOf();
+  TaskNotes note = noteOf();
   note.begin({"s", "", ""});
   note.begin({"s", "", ""});
   note.end();
