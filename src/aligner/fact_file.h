@@ -54,7 +54,7 @@ class FactFile {
 
  private:
   std::optional<Kept> read(const FactScope& scope, double expiry);
-  void report(const std::string& lastError);
+  void report(const std::string& error);
 
   const std::string robot_;
   const std::string file_;

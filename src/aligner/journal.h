@@ -70,7 +70,7 @@ class Journal {
   void replace();
   std::vector<JournalAnswer> read();
   void expire(double expiry);
-  void report(const std::string& lastError);
+  void report(const std::string& error);
 
   const std::string folder_;
   const ErrorCallback report_error_;

@@ -26,7 +26,7 @@ struct SpeechOptions {
   int retries = 2;                ///< 0 … 100: how often for silence, and how often for "sorry?"
   std::string person = "speech";  ///< who has answered where the question names nobody
 
-  std::vector<std::string> unknown;  ///< private parameters that nobody reads
+  std::vector<std::string> unknown;  ///< unknown private parameters
 
   /// Both throw ParameterError.
   static SpeechOptions read(const ros::NodeHandle& private_node);
