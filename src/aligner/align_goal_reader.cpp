@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/align_goal_reader.h"
+#include "align_goal_reader.h"
 
 #include <fmt/format.h>
 
@@ -93,12 +93,6 @@ session::Options optionsOf(const AlignGoal& goal, const NodeOptions& options) {
   if (goal.max_group_size > 0) result.max_group_size = goal.max_group_size;
   result.negative_candidates = result.negative_candidates || goal.negative_candidates != 0;
   return result;
-}
-
-phrasing::Phrases phrasesOf(const std::string& file) {
-  if (file.empty()) return {};
-  const pddl::Source source = pddl::readFile(ros_common::resolveFile(file));
-  return phrasing::Phrases::fromYaml(source.text, source.name);
 }
 
 std::shared_ptr<const spatial_facts::Rules> rulesOf(const std::string& file) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/align_server.h"
+#include "align_server.h"
 
 #include <fmt/format.h>
 #include <ros/console.h>
@@ -91,21 +91,21 @@ void AlignServer::wakeUp() {
 
 // What waited until it was known whether a plan is carried out, and what that plan is for. Who
 // knows the end of a plan may send the next task before the executor's word of that end is here.
-void AlignServer::lookAtExecutor() {
+void AlignServer::onExecutorStatus() {
   std::vector<Queue::Entry> refused;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!queue_.empty() && watch_.standing() == Standing::Busy) {
       refused = queue_.takeAll([this](const Queue::Entry& entry) {
-        const bool is_new = watch_.timesHeard() <= entry.heard_before + kLateWords;
-        return !is_new && (entry.refused_if_busy || watch_.carriesOut(entry.identity));
+        const bool is_new = watch_.statusCount() <= entry.statuses_before + kLateWords;
+        return !is_new && (entry.refused_if_busy || watch_.isExecuting(entry.identity));
       });
     }
     if (!refused.empty()) showQueue();
   }
   changed_.notify_all();
   for (const Queue::Entry& entry : refused)
-    refuse(entry.ticket, watch_.story());
+    refuse(entry.ticket, watch_.description());
 }
 
 void AlignServer::submit(const AlignGoal& goal, const std::string& origin) {
@@ -124,7 +124,7 @@ bool AlignServer::isUnderWay(const AlignGoal& goal) const {
   for (const Ticket& ticket : {current_, next_}) {
     if (ticket && !ticket->ended() && ticket->identity() == identity) return true;
   }
-  return queue_.holds(identity) || watch_.carriesOut(identity);
+  return queue_.holds(identity) || watch_.isExecuting(identity);
 }
 
 bool AlignServer::mustWait(const GoalTicket& ticket) const {
@@ -166,13 +166,13 @@ void AlignServer::queueUp(const Ticket& ticket) {
   bool may_stay = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    may_stay = !refuses_if_busy && !watch_.carriesOut(ticket->identity());
+    may_stay = !refuses_if_busy && !watch_.isExecuting(ticket->identity());
     if (queue_.isFull() && !queue_.holds(ticket->identity())) {
-      why_not = fmt::format("{}, and {} tasks wait already", watch_.story(), Queue::kMost);
+      why_not = fmt::format("{}, and {} tasks wait already", watch_.description(), Queue::kMost);
     } else {
       Queue::Entry entry = entryFor(ticket);
       entry.refused_if_busy = refuses_if_busy;
-      entry.heard_before = watch_.timesHeard();
+      entry.statuses_before = watch_.statusCount();
       replaced = queue_.add(std::move(entry));
       showQueue();
     }
@@ -181,7 +181,7 @@ void AlignServer::queueUp(const Ticket& ticket) {
   if (!why_not.empty()) return refuse(ticket, why_not);
   if (replaced) displace(replaced->ticket);
   if (!may_stay) return;
-  announcer_.tell(fmt::format("{} waits: {}", named(*ticket), watch_.story()));
+  announcer_.tell(fmt::format("{} waits: {}", named(*ticket), watch_.description()));
 }
 
 void AlignServer::cancelGoal(const GoalTicket::Handle& handle) {
@@ -203,16 +203,16 @@ void AlignServer::cancelGoal(const GoalTicket::Handle& handle) {
   }
   if (!ticket) return;
   end(ticket, "canceled");
-  if (waited) announcer_.tell(fmt::format("{} waits no longer: it was canceled", named(*ticket)));
+  if (waited) announcer_.tell(fmt::format("{} no longer waits: it was canceled", named(*ticket)));
 }
 
 // At once and from this thread: a cancel must not wait for the solver to notice it.
 void AlignServer::end(const Ticket& ticket, const std::string& reason) {
-  if (!runner_.stop(*ticket)) return;
+  if (!runner_.cancel(*ticket)) return;
   AlignResult result = ticket->interim();
   result.outcome = AlignResult::CANCELED;
   result.message = reason;
-  ticket->conclude(result);
+  ticket->sendResult(result);
 }
 
 void AlignServer::displace(const Ticket& ticket) {
@@ -227,7 +227,7 @@ void AlignServer::refuse(const Ticket& ticket, const std::string& reason) {
   result.outcome = AlignResult::BUSY;
   result.message = reason;
   announcer_.warn(fmt::format("{} is refused ({}): {}", named(*ticket), result.outcome, reason));
-  ticket->conclude(result);
+  ticket->sendResult(result);
 }
 
 void AlignServer::showQueue() {
@@ -245,7 +245,7 @@ void AlignServer::work() {
       if (stop_) return;
     }
     if (!ticket) {
-      runner_.answerSupposition();
+      runner_.answerQuery();
       continue;
     }
     run(*ticket);
@@ -258,7 +258,7 @@ void AlignServer::work() {
 AlignServer::Ticket AlignServer::awaitNext(std::unique_lock<std::mutex>& lock) {
   while (!stop_) {
     if (Ticket ticket = takeNext()) return ticket;
-    if (runner_.isAskedToSuppose()) break;
+    if (runner_.hasQueries()) break;
     const auto until = queue_.empty() ? PlanWatch::Clock::time_point::max() : watch_.nextChange();
     // wait_until() with the largest time point overflows in some standard libraries.
     if (until == PlanWatch::Clock::time_point::max()) {
@@ -290,7 +290,7 @@ void AlignServer::run(GoalTicket& ticket) {
   try {
     runner_.run(ticket);
   } catch (const std::exception& error) {
-    ROS_ERROR("a goal broke off: %s", error.what());
+    ROS_ERROR("a goal was aborted: %s", error.what());
   }
 }
 

@@ -1,350 +1,195 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/alignment_runner.h"
+#include "alignment_runner.h"
 
-#include <fmt/format.h>
 #include <ros/console.h>
 
 #include <algorithm>
-#include <boost/uuid/random_generator.hpp>
-#include <boost/uuid/uuid_io.hpp>
-#include <exception>
-#include <utility>
+#include <chrono>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "goal_alignment/aligner/align_goal_reader.h"
-#include "goal_alignment/aligner/outcome_text.h"
-#include "goal_alignment/ros_common/stamp.h"
+#include "goal_alignment/ros_common/message_conversion.h"
 
 namespace goal_alignment::aligner {
-namespace {
 
-using session::AnswerKind;
 using session::OutcomeCode;
+using session::State;
+using Clock = QuestionBridge::Clock;
+using Wake = QuestionBridge::Wake;
 
-// Two fields of a goal that can't both be meant.
-class ContradictionError : public GoalError {
- public:
-  using GoalError::GoalError;
-};
+AlignmentRunner::AlignmentRunner(const ros::NodeHandle& private_node, const Dependencies& parts)
+    : bridge_(parts.bridge),
+      task_notes_(parts.task_notes),
+      answers_(current_, parts.journal,
+               [&announcer = parts.announcer](const std::string& line) { announcer.tell(line); }),
+      starter_(private_node, {parts.announcer, parts.bridge, parts.journal, parts.facts, parts.tf},
+               current_, answers_),
+      facts_(current_, parts.facts, parts.tf,
+             [&announcer = parts.announcer](const std::string& line) { announcer.tell(line); }),
+      states_(current_, parts.announcer, parts.bridge),
+      explanations_(current_, parts.explainer),
+      question_(current_, parts.announcer, parts.bridge, parts.ask_human, states_),
+      outcomes_(current_, {parts.announcer, parts.bridge, parts.journal, parts.plan_watch},
+                answers_, states_, explanations_) {}
 
-session::Outcome invalidInput(const std::exception& error) {
-  session::Outcome outcome;
-  outcome.code = OutcomeCode::InvalidModel;
-  outcome.message = error.what();
-  return outcome;
-}
-
-}  // namespace
-
-AlignmentRunner::AlignmentRunner(ros::NodeHandle private_node, const Parts& parts)
-    : private_node_(std::move(private_node)),
-      announcer_(parts.announcer),
-      bridge_(parts.bridge),
-      ask_human_(parts.ask_human),
-      journal_(parts.journal),
-      facts_(parts.facts),
-      under_way_(parts.under_way),
-      tf_(parts.tf),
-      explainer_(parts.explainer),
-      plan_watch_(parts.plan_watch) {}
-
-bool AlignmentRunner::stop(GoalTicket& ticket) {
-  {
-    const std::lock_guard<std::mutex> lock(running_mutex_);
-    if (!ticket.claim()) return false;
-    if (running_ == &ticket) kept_.session->cancel();
-  }
+bool AlignmentRunner::cancel(GoalTicket& ticket) {
+  if (!running_.cancel(ticket)) return false;
   bridge_.interrupt();
   return true;
 }
 
 void AlignmentRunner::run(GoalTicket& ticket) {
-  try {
-    prepare(ticket.goal());
-  } catch (const ContradictionError& error) {
-    session::Outcome outcome = invalidInput(error);
-    outcome.code = OutcomeCode::Contradiction;
-    return refuse(ticket, outcome);
-  } catch (const GoalError& error) {
-    return refuse(ticket, invalidInput(error));
-  } catch (const ros_common::ParameterError& error) {
-    return refuse(ticket, invalidInput(error));
-  } catch (const spatial_facts::RulesError& error) {
-    return refuse(ticket, invalidInput(error));
-  } catch (const std::exception& error) {
-    return refuse(ticket, session::outcomeOf(error));
+  const std::optional<session::Outcome> refusal = starter_.start(ticket.goal());
+  if (refusal) return outcomes_.refuse(ticket, *refusal);
+  if (!ticket.continuesSession()) {
+    facts_.beginSession();
+    states_.beginSession();
   }
-  {
-    const std::lock_guard<std::mutex> lock(running_mutex_);
-    running_ = &ticket;
-  }
+  facts_.beginGoal();
+  running_.begin(ticket, current_.session);
   try {
-    ticket.accept();
-    if (kept_.options.journal_expiry > 0) under_way_.begin({kept_.id, kept_.task_id, kept_.person});
-    announcer_.tell(storyOf(ticket.goal()));
-    loop(ticket);
-    conclude(ticket);
+    runAccepted(ticket);
   } catch (const std::exception& error) {
     abort(ticket, error);
   }
-  under_way_.end();
-  const std::lock_guard<std::mutex> lock(running_mutex_);
-  running_ = nullptr;
+  task_notes_.end();
+  running_.end();
 }
 
-// The session makes outcomes of all its errors, so this one is ours.
+void AlignmentRunner::runAccepted(GoalTicket& ticket) {
+  ticket.accept();
+  const SessionLabels& labels = current_.labels;
+  if (current_.options.journal_expiry > 0)
+    task_notes_.begin({labels.id, labels.task_id, labels.person});
+  states_.announceGoal(ticket.goal());
+  loop(ticket);
+  finish(ticket);
+}
+
+// The session turns all of its own errors into outcomes, so this one is the node's.
 void AlignmentRunner::abort(GoalTicket& ticket, const std::exception& error) {
-  ROS_ERROR("the alignment broke off: %s", error.what());
-  closeQuestion();
+  ROS_ERROR("the alignment was aborted: %s", error.what());
+  question_.close();
   bridge_.endSession();
-  refuse(ticket, session::outcomeOf(error));
-}
-
-void AlignmentRunner::prepare(const AlignGoal& goal) {
-  const NodeOptions options = NodeOptions::read(private_node_);
-  warnAboutUnknown(options);
-  const auto rules = rulesOf(options.tf_facts);
-  if (goal.continue_session.empty()) {
-    begin(goal, options);
-  } else {
-    if (rules && kept_.models_known) rules->check(*kept_.session->robotModel());
-    continueSession(goal, options);
-  }
-  kept_.options = options;
-  tf_.follow(rules);
-  kept_.facts_known = false;
-  kept_.unknown_since.reset();
-}
-
-void AlignmentRunner::begin(const AlignGoal& goal, const NodeOptions& options) {
-  if (!goal.revised_wanted.empty() || !goal.revised_not_wanted.empty()) {
-    throw GoalError("revised_wanted and revised_not_wanted need continue_session");
-  }
-  auto session = std::make_shared<session::Session>(optionsOf(goal, options));
-  session::Input input = inputOf(goal, options);
-  const std::string key = journalKey(input, goal.task.person, private_node_.getNamespace());
-  if (goal.source == AlignGoal::PARAMS) inheritFacts(options, input);
-  Kept kept;
-  kept.human_plan = input.human_plan;
-  session->begin(std::move(input));
-  kept.id = boost::uuids::to_string(boost::uuids::random_generator()());
-  kept.person = goal.task.person;
-  kept.task_id = goal.task.task_id;
-  kept.identity = identityOf(goal);
-  try {
-    kept.phrases = phrasesOf(options.phrases);
-    if (!kept.phrases.warning().empty()) ROS_WARN("%s", kept.phrases.warning().c_str());
-  } catch (const std::exception& error) {
-    // Wording is no reason to refuse a task.
-    announcer_.warn(fmt::format("no phrases: {}", error.what()));
-  }
-  kept.session = std::move(session);
-  kept.journaled = journal_.open(key, kept.id, options.journal_expiry);
-  kept_ = std::move(kept);
-  facts_.beginSession(kept_.id, goal.source == AlignGoal::PARAMS);
-  bridge_.beginSession(kept_.id);
-}
-
-void AlignmentRunner::continueSession(const AlignGoal& goal, const NodeOptions& options) {
-  const session::Options session_options = optionsOf(goal, options);
-  if (!kept_.session || goal.continue_session != kept_.id) {
-    throw GoalError(fmt::format("continue_session: there is no session '{:.60}' to go on with",
-                                goal.continue_session));
-  }
-  const auto wanted = candidatesOf(goal.revised_wanted, "revised_wanted");
-  const auto not_wanted = candidatesOf(goal.revised_not_wanted, "revised_not_wanted");
-  for (const Literal& fluent : wanted) {
-    if (std::find(not_wanted.begin(), not_wanted.end(), fluent) == not_wanted.end()) continue;
-    throw ContradictionError(fluent.text() + " is in revised_wanted and in revised_not_wanted");
-  }
-  const auto& statistics = kept_.session->statistics();
-  kept_.thinking_before = statistics.total;
-  kept_.calls_before = statistics.planner_calls;
-  kept_.questions_before = kept_.session->snapshot().questions_asked;
-  kept_.waiting_time = 0;
-  kept_.session->resume(session_options);
-  bridge_.beginSession(kept_.id);
-  bridge_.update(kept_.session->snapshot());
-  if (!wanted.empty())
-    apply({wanted, AnswerKind::Yes, goal.task.person, 0, ros_common::stampNow()});
-  if (!not_wanted.empty())
-    apply({not_wanted, AnswerKind::No, goal.task.person, 0, ros_common::stampNow()});
-}
-
-void AlignmentRunner::warnAboutUnknown(const NodeOptions& options) {
-  for (const std::string& warning : options.warnings) {
-    if (warned_about_.insert(warning).second) ROS_WARN("%s", warning.c_str());
-  }
+  outcomes_.refuse(ticket, session::outcomeOf(error));
 }
 
 void AlignmentRunner::loop(GoalTicket& ticket) {
-  report(ticket, kept_.session->snapshot(), "");
+  states_.report(ticket, current_.session->snapshot(), "", question_.message());
   while (!ticket.ended()) {
     applyAnswers();
-    takeUpFacts();
-    if (factsAreAwaited()) {
-      awaitFacts(ticket);
+    facts_.update();
+    if (facts_.mustWait()) {
+      waitForFacts(ticket);
       continue;
     }
-    if (kept_.session->state() == State::Done && hasEnded()) break;
-    // Where the session was taken up again since the cancel, it has forgotten that one.
+    if (current_.session->state() == State::Done && hasEnded()) break;
+    // A session that was resumed after the cancel has forgotten it, so the ticket has to be asked.
     if (ticket.ended()) break;
     const session::Snapshot now = step();
-    if (now.state == State::Done) continue;  // what was said or seen meanwhile still counts
+    if (now.state == State::Done) continue;  // answers and facts that came meanwhile still count
     if (now.state == State::AwaitingAnswer) {
       waitForAnswer(ticket, now);
-      // One at a time: an answer or a cancel may have come meanwhile.
-      if (kept_.session->state() == State::AwaitingAnswer) answerSupposition();
-      if (isAskedToSuppose()) bridge_.wakeUp();
+      // One query at a time: an answer or a cancel may have come meanwhile.
+      if (current_.session->state() == State::AwaitingAnswer) answerQuery();
+      if (hasQueries()) bridge_.wakeUp();
     } else {
-      report(ticket, now, "");
+      states_.report(ticket, now, "", question_.message());
     }
   }
-  closeQuestion();
+  question_.close();
   bridge_.endSession();
-  // Who gave them was told that they count: the journal and the session's next goal have them.
+  // Answers accepted before a cancel count for the journal and for the session's next goal.
   if (ticket.ended()) applyAnswers();
 }
 
 session::Snapshot AlignmentRunner::step() {
   const auto began = Clock::now();
-  const State state = kept_.session->step();
+  const State state = current_.session->step();
   const std::chrono::duration<double> took = Clock::now() - began;
   ROS_DEBUG("a step of %.3f s led to phase %d", took.count(), int{ros_common::phaseOf(state)});
-  if (!kept_.models_known && kept_.session->robotModel() != nullptr) onModelsLoaded();
-  session::Snapshot now = kept_.session->snapshot();
+  if (!current_.models_loaded && current_.session->robotModel() != nullptr) onModelsLoaded();
+  session::Snapshot now = current_.session->snapshot();
   bridge_.update(now);
-  showToExplainer(now);
+  explanations_.show(now);
   return now;
 }
 
-// Once, as soon as the models are read.
 void AlignmentRunner::onModelsLoaded() {
-  kept_.models_known = true;
-  facts_.setModel(*kept_.session->robotModel());
-  checkRules();
-  takeUpJournal();
-  const session::Snapshot now = kept_.session->snapshot();
-  for (const auto* hidden :
-       {&kept_.options.session.hidden_wanted, &kept_.options.session.hidden_not_wanted}) {
-    for (const std::string& name : *hidden)
-      warnIfNobodyIs(name, now);
+  current_.models_loaded = true;
+  facts_.onModelsLoaded();
+  answers_.restoreFromJournal();
+  states_.warnAboutUnmatchedHidden();
+}
+
+void AlignmentRunner::applyAnswers() {
+  const std::vector<AcceptedAnswer> answers = bridge_.take();
+  for (const AcceptedAnswer& answer : answers) {
+    answers_.apply(answer);
+    // A declined dialogue is over; later answers must not begin it anew.
+    if (current_.session->state() == State::Done) return;
+  }
+  // Volunteered or revised answers may have made the open question needless. New facts may as well,
+  // but mostly they don't; then nobody should be asked once more.
+  if (answers.empty()) return;
+  if (current_.session->state() != State::AwaitingAnswer) return question_.close();
+  question_.updateView();
+}
+
+void AlignmentRunner::waitForFacts(GoalTicket& ticket) {
+  states_.report(ticket, current_.session->snapshot(), "waiting for tf: " + facts_.missingFacts(),
+                 question_.message());
+  while (bridge_.wait(facts_.nextLook()) == Wake::TimedOut) {
+    if (!facts_.isWithinTimeout()) return;
   }
 }
 
-// Its name may be a slip.
-void AlignmentRunner::warnIfNobodyIs(const std::string& hidden, const session::Snapshot& now) {
-  const bool known = std::any_of(
-      now.candidates.begin(), now.candidates.end(),
-      [&](const session::CandidateView& view) { return view.fluent.atom.name == hidden; });
-  if (known) return;
-  announcer_.warn(kept_.phrases.say("event_hidden_unknown", {hidden}));
+void AlignmentRunner::waitForAnswer(GoalTicket& ticket, const session::Snapshot& now) {
+  const auto began = Clock::now();
+  if (!question_.ask(ticket, now)) return;
+  const Wake wake = waitForEvent();
+  const std::chrono::duration<double> waited = Clock::now() - began;
+  current_.usage.waiting_time += waited.count();
+  if (wake == Wake::TimedOut) question_.onTimeout();
+  question_.closeIfAnswered();
 }
 
-// An answer that came in while the last step ran was accepted, so it has to count.
+// Like bridge_.wait() until the question's deadline; new facts end it as well.
+QuestionBridge::Wake AlignmentRunner::waitForEvent() {
+  const Clock::time_point deadline = question_.deadline();
+  while (true) {
+    const Wake wake = bridge_.wait(std::min(deadline, facts_.nextLook()));
+    if (wake != Wake::TimedOut || Clock::now() >= deadline) return wake;
+    if (facts_.haveChanged()) return Wake::News;
+  }
+}
+
+// An answer that came in during the last step was accepted, so it has to count.
 bool AlignmentRunner::hasEnded() {
-  if (session::outcomeTraits(kept_.session->outcome().code).ended_on_request) return true;
+  if (session::outcomeTraits(current_.session->outcome().code).ended_on_request) return true;
   return bridge_.endSessionIfIdle();
 }
 
-// False: a cancel was faster; the session then has ended as well and can be continued.
-bool AlignmentRunner::claimOutcome(GoalTicket& ticket) {
-  const std::lock_guard<std::mutex> lock(running_mutex_);
-  running_ = nullptr;
-  if (ticket.claim()) return true;
-  if (kept_.session->state() != State::Done) {
-    kept_.session->cancel();
-    kept_.session->step();
-  }
-  return false;
-}
-
-void AlignmentRunner::conclude(GoalTicket& ticket) {
-  const bool ours = claimOutcome(ticket);
+void AlignmentRunner::finish(GoalTicket& ticket) {
+  const bool claimed = running_.claimOutcome(ticket);
   session::Outcome outcome;
-  if (ours) {
-    outcome = kept_.session->outcome();
+  if (claimed) {
+    outcome = current_.session->outcome();
   } else {
     outcome.code = OutcomeCode::Canceled;
     outcome.message = "canceled";
   }
   try {
-    const AlignResult result = announceOutcome(
-        outcome, ticket.isDisplaced() ? kept_.phrases.say("outcome_displaced") : "");
-    if (ours) ticket.conclude(result);
+    const AlignResult result = outcomes_.announce(
+        outcome, ticket.isDisplaced() ? current_.phrases.say("outcome_displaced") : "");
+    if (claimed) ticket.sendResult(result);
   } catch (const std::exception& error) {
-    // Who claims a goal owes its client a result, also where the words for it fail.
-    ROS_ERROR("the outcome %d can't be told: %s", int{static_cast<std::uint16_t>(outcome.code)},
-              error.what());
-    if (ours) endWith(ticket, session::outcomeOf(error));
+    // Whoever claims a goal owes its client a result, even if the outcome can't be put into words.
+    ROS_ERROR("the outcome %d can't be published: %s",
+              int{static_cast<std::uint16_t>(outcome.code)}, error.what());
+    if (claimed) outcomes_.endWith(ticket, session::outcomeOf(error));
   }
-}
-
-// On all topics; the client's result comes last. `instead`: of what the session would say.
-AlignResult AlignmentRunner::announceOutcome(const session::Outcome& outcome,
-                                             const std::string& instead) {
-  const session::Session& session = *kept_.session;
-  const session::Snapshot last = session.snapshot();
-  AlignResult result = figures(last);
-  const AlignResult said = ros_common::toMessage(outcome, kept_.phrases);
-  result.outcome = said.outcome;
-  result.message =
-      instead.empty() ? spokenOutcome(outcome, last, kept_.phrases, kept_.human_plan) : instead;
-  result.conflict = said.conflict;
-  result.conflict_proven = said.conflict_proven;
-  result.conflict_minimal = said.conflict_minimal;
-  result.alternatives = said.alternatives;
-  result.failing_step = said.failing_step;
-  if (outcome.code == OutcomeCode::Success) {
-    result.plan = ros_common::toMessage(session, ++plans_, kept_.phrases);
-    result.plan.session_id = kept_.id;
-    result.plan.header.stamp = ros_common::stampNow();
-    plan_watch_.giveOut({result.plan.plan_id, kept_.task_id, kept_.person, kept_.identity});
-    announcer_.publish(result.plan);
-  }
-  if (session::outcomeTraits(outcome.code).closes_journal) journal_.drop();
-  if (outcome.code == OutcomeCode::UnsureBlocks) forgetUnsureAnswers();
-  showToExplainer(last);
-  AlignmentState state = stateMessage(last, result.message);
-  state.phase = AlignmentState::DONE;
-  state.outcome = result.outcome;
-  state.conflict = result.conflict;
-  state.conflict_proven = result.conflict_proven;
-  state.conflict_minimal = result.conflict_minimal;
-  state.alternatives = result.alternatives;
-  announcer_.publish(state);
-  bridge_.markShown();
-  announcer_.tell(kept_.phrases.say(
-      "event_outcome",
-      {std::to_string(result.outcome), session::outcomeWord(outcome.code), result.message}));
-  return result;
-}
-
-void AlignmentRunner::refuse(GoalTicket& ticket, const session::Outcome& outcome) {
-  std::vector<std::string> why = {std::to_string(static_cast<int>(outcome.code)), outcome.message};
-  const std::string& task = ticket.goal().task.task_id;
-  if (!task.empty()) why.push_back(task);
-  announcer_.tell(kept_.phrases.say(task.empty() ? "event_refused" : "event_refused_named", why));
-  if (ticket.claim()) endWith(ticket, outcome);
-}
-
-// Of a goal that was claimed for it.
-void AlignmentRunner::endWith(GoalTicket& ticket, const session::Outcome& outcome) {
-  AlignResult result = ticket.interim();
-  result.outcome = static_cast<std::uint16_t>(outcome.code);
-  result.message = outcome.message;
-  // Who sent the task by topic sees no result. A session that could not go on stays as it was.
-  if (ticket.goal().continue_session.empty()) {
-    AlignmentState state;
-    state.phase = AlignmentState::DONE;
-    state.session_id = result.session_id;
-    state.task_id = ticket.goal().task.task_id;
-    state.person = ticket.goal().task.person;
-    state.outcome = result.outcome;
-    state.message = result.message;
-    announcer_.publish(state);
-  }
-  ticket.conclude(result);
 }
 
 }  // namespace goal_alignment::aligner

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/announcer.h"
+#include "announcer.h"
 
 #include <ros/console.h>
 #include <std_msgs/String.h>

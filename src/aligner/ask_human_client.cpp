@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/ask_human_client.h"
+#include "ask_human_client.h"
 
 #include <fmt/format.h>
 #include <ros/service.h>
@@ -131,7 +131,7 @@ void AskHumanClient::Shared::run() {
       if (node->serviceClient<AskHuman>(ros_common::kAskHumanService, true).call(call)) {
         treat(*asked, call.response);
       } else if (isOpen(*asked)) {  // else who was asked may have left it
-        complainOnce(*asked, fmt::format("a call of {} broke off; it is tried again", service));
+        complainOnce(*asked, fmt::format("a call of {} failed and is retried", service));
       }
     }
     pause(*asked);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/diagnostics.h"
+#include "diagnostics.h"
 
 #include <fmt/format.h>
 
@@ -65,16 +65,15 @@ void Diagnostics::report(DiagnosticStatusWrapper& status) {
     last_outcome_ =
         fmt::format("{} ({}): {}", state.outcome, session::outcomeWord(code), state.message);
     if (code == session::OutcomeCode::Internal) {
-      status.mergeSummary(DiagnosticStatus::ERROR, "the last alignment broke off");
+      status.mergeSummary(DiagnosticStatus::ERROR, "the last alignment was aborted");
     }
   }
   status.add("last outcome", last_outcome_);
   addQuestion(status);
   addAnswerers(status);
-  const std::string lastError = journal_.lastError();
-  status.add("journal", lastError.empty() ? "in order" : lastError);
-  if (!lastError.empty())
-    status.mergeSummary(DiagnosticStatus::WARN, "the journal is in lastError");
+  const std::string last_error = journal_.lastError();
+  status.add("journal", last_error.empty() ? "in order" : last_error);
+  if (!last_error.empty()) status.mergeSummary(DiagnosticStatus::WARN, "the journal has an error");
 }
 
 void Diagnostics::addQuestion(DiagnosticStatusWrapper& status) {
@@ -92,7 +91,7 @@ void Diagnostics::addQuestion(DiagnosticStatusWrapper& status) {
   status.add("open question", fmt::format("{}: {}", question.question_id, question.text));
   status.add("open for (s)", fmt::format("{:.0f}", age.count()));
   if (age.count() > kLongOpen) {
-    status.mergeSummary(DiagnosticStatus::WARN, "nobody answers the open question");
+    status.mergeSummary(DiagnosticStatus::WARN, "the open question is not answered");
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/explainer.h"
+#include "explainer.h"
 
 #include <fmt/format.h>
 
@@ -58,7 +58,7 @@ Explain::Response Explainer::explain(const Explain::Request& request,
       return suppose(fluents, deadline);
     default:
       return unknown(
-          fmt::format("{} is no kind of explanation: expected WHY=0, WHY_NOT=1 or WHAT_IF=2",
+          fmt::format("{} is not a kind of explanation: expected WHY=0, WHY_NOT=1 or WHAT_IF=2",
                       int{request.kind}));
   }
 }

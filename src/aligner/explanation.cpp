@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/explanation.h"
+#include "explanation.h"
 
 #include <algorithm>
 #include <vector>

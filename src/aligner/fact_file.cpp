@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/fact_file.h"
+#include "fact_file.h"
 
 #include <fmt/format.h>
 
@@ -55,7 +55,7 @@ SaidFacts::Facts factsOf(const json& list) {
     const SaidFacts::Said said = {!fact.negated, item.at("order").get<std::uint64_t>(),
                                   item.value("left_to_tf", false)};
     if (!facts.emplace(fact.atom, said).second) {
-      throw std::invalid_argument(fact.atom.text() + " stands there twice");
+      throw std::invalid_argument(fact.atom.text() + " is listed twice");
     }
   }
   return facts;
@@ -105,8 +105,8 @@ std::optional<FactFile::Kept> FactFile::open(const FactScope& scope, double expi
 // Throws std::exception for anything that write() does not write.
 std::optional<FactFile::Kept> FactFile::read(const FactScope& scope, double expiry) {
   const json entry = json::parse(pddl::readFile(file_).text);
-  if (entry.at("version") != kVersion) throw std::invalid_argument("it is of another version");
-  if (entry.at("robot") != robot_) throw std::invalid_argument("it is of another robot");
+  if (entry.at("version") != kVersion) throw std::invalid_argument("it has another version");
+  if (entry.at("robot") != robot_) throw std::invalid_argument("it belongs to another robot");
   Kept kept;
   kept.facts = SaidFacts(factsOf(entry.at("facts")), factsOf(entry.at("human_facts")));
   const auto age = secondsNow() - entry.at("sec").get<std::int64_t>();
@@ -163,10 +163,10 @@ std::string FactFile::lastError() const {
   return last_error_;
 }
 
-// The same lastError at every fact is told once.
-void FactFile::report(const std::string& lastError) {
-  if (lastError != last_error_) report_error_(lastError);
-  last_error_ = lastError;
+// An error that repeats with every fact is reported once.
+void FactFile::report(const std::string& error) {
+  if (error != last_error_) report_error_(error);
+  last_error_ = error;
 }
 
 std::string spokenAge(double seconds) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/goal_ticket.h"
+#include "goal_ticket.h"
 
 #include <ros/console.h>
 #include <ros/serialization.h>
@@ -54,7 +54,7 @@ GoalTicket::GoalTicket(Handle handle)
 
 GoalTicket::~GoalTicket() {
   try {
-    conclude({});  // nothing, where there was a result
+    sendResult({});  // does nothing if one was sent
   } catch (const std::exception& error) {
     ROS_ERROR("a goal ends without a result: %s", error.what());
   }
@@ -87,9 +87,9 @@ AlignResult GoalTicket::interim() const {
   return interim_;
 }
 
-void GoalTicket::conclude(AlignResult result) {
+void GoalTicket::sendResult(AlignResult result) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (std::exchange(concluded_, true)) return;
+  if (std::exchange(result_sent_, true)) return;
   if (result.outcome == AlignResult::NONE) {
     result.failing_step = -1;
     result.outcome = AlignResult::INTERNAL;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/journal.h"
+#include "journal.h"
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ AnswerKind kindOf(const std::string& word) {
   if (word == "yes") return AnswerKind::Yes;
   if (word == "no") return AnswerKind::No;
   if (word == "unsure") return AnswerKind::Unsure;
-  throw std::invalid_argument("'" + word + "' is no answer");
+  throw std::invalid_argument("'" + word + "' is not an answer");
 }
 
 std::string toText(const std::string& key, const std::vector<JournalAnswer>& answers) {
@@ -55,8 +55,8 @@ std::string toText(const std::string& key, const std::vector<JournalAnswer>& ans
 // Throws std::exception for anything that toText() does not write.
 std::vector<JournalAnswer> fromText(const std::string& text, const std::string& key) {
   const json entry = json::parse(text);
-  if (entry.at("version") != kVersion) throw std::invalid_argument("it is of another version");
-  if (entry.at("key") != key) throw std::invalid_argument("it is of another task");
+  if (entry.at("version") != kVersion) throw std::invalid_argument("it has another version");
+  if (entry.at("key") != key) throw std::invalid_argument("it belongs to another task");
   std::vector<JournalAnswer> answers;
   std::set<Literal> known;
   for (const json& item : entry.at("answers")) {
@@ -66,7 +66,7 @@ std::vector<JournalAnswer> fromText(const std::string& text, const std::string& 
     answer.answered_by = item.at("answered_by").get<std::string>();
     answer.at = {item.at("sec").get<std::uint32_t>(), item.at("nsec").get<std::uint32_t>()};
     if (!known.insert(answer.fluent).second) {
-      throw std::invalid_argument(answer.fluent.text() + " stands there twice");
+      throw std::invalid_argument(answer.fluent.text() + " is listed twice");
     }
     answers.push_back(std::move(answer));
   }
@@ -204,10 +204,10 @@ std::string Journal::lastError() const {
   return last_error_;
 }
 
-// The same lastError at every answer is told once.
-void Journal::report(const std::string& lastError) {
-  if (lastError != last_error_) report_error_(lastError);
-  last_error_ = lastError;
+// An error that repeats with every answer is reported once.
+void Journal::report(const std::string& error) {
+  if (error != last_error_) report_error_(error);
+  last_error_ = error;
 }
 
 }  // namespace goal_alignment::aligner

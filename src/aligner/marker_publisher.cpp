@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/marker_publisher.h"
+#include "marker_publisher.h"
 
 #include <tf2/exceptions.h>
 
 #include <cmath>
 #include <utility>
 
-#include "goal_alignment/aligner/node_options.h"
 #include "goal_alignment/ros_common/names.h"
+#include "node_options.h"
 
 namespace goal_alignment::aligner {
 namespace {

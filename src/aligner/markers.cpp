@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/markers.h"
+#include "markers.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/node_options.h"
+#include "node_options.h"
 
 #include <algorithm>
 #include <limits>
@@ -54,10 +54,10 @@ void readBelief(ros_common::ParameterReader& reader, alignment::BeliefOptions& b
 void readHidden(ros_common::ParameterReader& reader, session::Options& options) {
   reader.renamed("hidden_wanted", "assumed_wanted_predicates");
   reader.renamed("hidden_not_wanted", "assumed_unwanted_predicates");
-  reader.read("assumed_wanted_predicates", options.hidden_wanted);
-  reader.read("assumed_unwanted_predicates", options.hidden_not_wanted);
-  const auto& wanted = options.hidden_wanted;
-  for (const std::string& name : options.hidden_not_wanted) {
+  reader.read("assumed_wanted_predicates", options.assumed_wanted_predicates);
+  reader.read("assumed_unwanted_predicates", options.assumed_unwanted_predicates);
+  const auto& wanted = options.assumed_wanted_predicates;
+  for (const std::string& name : options.assumed_unwanted_predicates) {
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
     reader.refuse("assumed_unwanted_predicates",
                   "other names than assumed_wanted_predicates has, not '" + name + "'");

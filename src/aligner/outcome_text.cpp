@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/outcome_text.h"
+#include "outcome_text.h"
 
 #include <algorithm>
 #include <vector>

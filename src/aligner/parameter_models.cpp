@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/parameter_models.h"
+#include "parameter_models.h"
 
 #include <exception>
 
-#include "goal_alignment/aligner/align_goal_reader.h"
+#include "align_goal_reader.h"
 
 namespace goal_alignment::aligner {
 namespace {

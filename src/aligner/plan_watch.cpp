@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/plan_watch.h"
+#include "plan_watch.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ bool isActive(const GoalStatus& goal) {
 
 PlanWatch::PlanWatch(std::function<Clock::time_point()> now) : now_(std::move(now)) {}
 
-void PlanWatch::giveOut(GivenOut plan) {
+void PlanWatch::onPlanPublished(PublishedPlan plan) {
   const std::lock_guard<std::mutex> lock(mutex_);
   last_ = std::move(plan);
   const auto now = now_();
@@ -34,10 +34,10 @@ void PlanWatch::giveOut(GivenOut plan) {
   if (standingAt(now) != Standing::Busy) undecided_since_ = now;
 }
 
-void PlanWatch::hear(const std::vector<GoalStatus>& goals) {
+void PlanWatch::onExecutorStatus(const std::vector<GoalStatus>& goals) {
   const std::lock_guard<std::mutex> lock(mutex_);
   heard_ = now_();
-  ++times_heard_;
+  ++status_count_;
   std::set<std::string> known;
   active_goal_.clear();
   for (const GoalStatus& goal : goals) {
@@ -65,9 +65,9 @@ PlanWatch::Standing PlanWatch::standing() const {
   return standingAt(now_());
 }
 
-unsigned PlanWatch::timesHeard() const {
+unsigned PlanWatch::statusCount() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return times_heard_;
+  return status_count_;
 }
 
 PlanWatch::Clock::time_point PlanWatch::nextChange() const {
@@ -78,12 +78,12 @@ PlanWatch::Clock::time_point PlanWatch::nextChange() const {
   return standing == Standing::Busy ? gone : std::min(gone, *undecided_since_ + kTakeUp);
 }
 
-bool PlanWatch::carriesOut(const std::string& identity) const {
+bool PlanWatch::isExecuting(const std::string& identity) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return standingAt(now_()) == Standing::Busy && last_ && last_->identity == identity;
 }
 
-std::string PlanWatch::story() const {
+std::string PlanWatch::description() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!last_) return fmt::format("a plan ({}) is being carried out", active_goal_);
   std::string task;

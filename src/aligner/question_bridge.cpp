@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/question_bridge.h"
+#include "question_bridge.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +42,7 @@ CandidateState stateAfter(AnswerKind kind) {
 std::string refusalOfValue(const Answer::Request& request) {
   if (request.answer >= Answer::Request::NO && request.answer <= Answer::Request::DECLINE)
     return {};
-  return fmt::format("{} is no answer: expected NO=0, YES=1, UNSURE=2 or DECLINE=3",
+  return fmt::format("{} is not an answer: expected NO=0, YES=1, UNSURE=2 or DECLINE=3",
                      static_cast<int>(request.answer));
 }
 
@@ -345,7 +345,7 @@ std::string QuestionBridge::refusalOfFluents(const std::vector<Literal>& fluents
   for (const Literal& fluent : fluents) {
     std::string why_not = refusalOfFluent(fluent, revising);
     if (why_not.empty() && question_id != 0 && open_->fluents.count(fluent) == 0) {
-      why_not = fmt::format("{} is no part of question {}", fluent.text(), question_id);
+      why_not = fmt::format("{} is not part of question {}", fluent.text(), question_id);
     }
     if (!why_not.empty()) return why_not;
   }

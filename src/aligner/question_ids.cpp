@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/question_ids.h"
+#include "question_ids.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

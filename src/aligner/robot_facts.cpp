@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/robot_facts.h"
+#include "robot_facts.h"
 
 #include <fmt/format.h>
 
@@ -79,8 +79,7 @@ SubmitResult RobotFacts::set(const std::vector<Fluent>& facts, const spatial_fac
   if (news) keep();
   if (left == changes.size()) return {false, left_to_tf + ": it can't be set"};
   if (left > 0) return {true, "taken, but " + left_to_tf};
-  return {true,
-          world().model ? "" : "taken; no robot's model is known yet that could have it or not"};
+  return {true, world().model ? "" : "taken; it can't be checked yet, as no robot model is loaded"};
 }
 
 SubmitResult RobotFacts::setHuman(const std::vector<Fluent>& facts, const pddl::Model* human) {
@@ -190,7 +189,7 @@ GetFacts::Response RobotFacts::tell(const spatial_facts::Observation& seen) cons
   if (now.session_id.empty()) {
     response.message = "no task was given yet";
   } else if (!now.model) {
-    response.message = "the robot's model of this task is not read yet, or can't be read";
+    response.message = "the robot's model of this task is not loaded yet, or can't be read";
   } else {
     response = told(now, seen);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/said_facts.h"
+#include "said_facts.h"
 
 #include <algorithm>
 #include <utility>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "goal_alignment/aligner/explanation.h"
+#include "explanation.h"
 #include "goal_alignment/ros_common/message_conversion.h"
 
 namespace goal_alignment::aligner {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/task_intake.h"
+#include "task_intake.h"
 
 #include <fmt/format.h>
 #include <ros/console.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/tf_state_bridge.h"
+#include "tf_state_bridge.h"
 
 #include <ros/time.h>
 #include <tf2/exceptions.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/what_if_query.h"
+#include "what_if_query.h"
 
 #include <fmt/format.h>
 

@@ -109,8 +109,8 @@ session::Options AlignmentWords::options() const {
   options.threads = threads;
   options.max_group_size = static_cast<std::size_t>(group);
   options.negative_candidates = negative_candidates;
-  options.hidden_wanted = assumed_wanted;
-  options.hidden_not_wanted = assumed_unwanted;
+  options.assumed_wanted_predicates = assumed_wanted;
+  options.assumed_unwanted_predicates = assumed_unwanted;
   options.max_extra_cost = max_extra_cost;
   options.costs = costs;
   options.static_candidates = !no_static;

@@ -26,9 +26,9 @@ void DialogueDiagnostics::report(DiagnosticStatusWrapper& status) {
     const Open& oldest = open_.begin()->second;
     const std::chrono::duration<double> age = Clock::now() - oldest.since;
     status.add("question", oldest.text);
-    status.add("put for (s)", fmt::format("{:.0f}", age.count()));
+    status.add("asked for (s)", fmt::format("{:.0f}", age.count()));
   }
-  status.add("questions put", put_);
+  status.add("questions asked", put_);
   status.add("answered", answered_);
   status.add("left unanswered", unanswered_);
   status.add("last answered by", last_answered_by_);

@@ -71,7 +71,7 @@ TrueGoal readTrueGoal(const XmlRpc::XmlRpcValue& parameter) {
   std::vector<std::string> texts;
   for (int i = 0; i < value.size(); ++i) {
     if (value[i].getType() != XmlRpcValue::TypeString) {
-      throw std::invalid_argument(fmt::format("entry {} is no text such as \"(on a b)\"", i));
+      throw std::invalid_argument(fmt::format("entry {} is not a text such as \"(on a b)\"", i));
     }
     texts.push_back(static_cast<std::string&>(value[i]));
   }

@@ -203,7 +203,7 @@ void SpeechDialogue::offerAlternatives(const AlignmentState& end, const IsOver& 
     if (!turn.ended) continue;
     const std::string person = end.person.empty() ? options_.person : end.person;
     if (turn.chosen && !ends_.takeUp(end, end.alternatives.at(*turn.chosen), person)) {
-      ROS_WARN("nobody takes up what was chosen");
+      ROS_WARN("the chosen alternative was not taken up");
       return;
     }
     if (!turn.say.empty()) speak(turn.say, [] { return !ros::ok(); });
@@ -262,7 +262,7 @@ bool SpeechDialogue::startSpeaking(const std::string& text) {
 void SpeechDialogue::warnOnce(const std::string& fault) {
   if (warned_) return;
   warned_ = true;
-  ROS_WARN("nothing is said aloud, %s; what would be said stands on %s", fault.c_str(),
+  ROS_WARN("nothing is said aloud: %s; the text is published on %s", fault.c_str(),
            said_.getTopic().c_str());
 }
 

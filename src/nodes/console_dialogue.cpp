@@ -10,7 +10,7 @@
 #include <iostream>
 #include <thread>
 
-#include "goal_alignment/aligner/align_goal_reader.h"
+#include "goal_alignment/aligner/phrases_file.h"
 #include "goal_alignment/dialogues/outcome_watch.h"
 #include "goal_alignment/dialogues/vocabulary_file.h"
 #include "goal_alignment/ros_common/deferred_shutdown.h"

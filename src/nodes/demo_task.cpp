@@ -21,7 +21,7 @@
 #include "demo_narrator.h"
 #include "goal_alignment/AlignAction.h"
 #include "goal_alignment/ExecutePlanAction.h"
-#include "goal_alignment/aligner/align_goal_reader.h"
+#include "goal_alignment/aligner/phrases_file.h"
 #include "goal_alignment/dialogues/console_dialogue.h"
 #include "goal_alignment/dialogues/vocabulary_file.h"
 #include "goal_alignment/execution/names.h"

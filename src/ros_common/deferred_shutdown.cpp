@@ -27,7 +27,7 @@ void onSignal(int /*signal*/) {
 
 void onShutdownRequest(XmlRpc::XmlRpcValue& request, XmlRpc::XmlRpcValue& response) {
   if (request.valid() && request.size() > 1) {
-    ROS_INFO("told to end: %s", static_cast<std::string&>(request[1]).c_str());
+    ROS_INFO("shutdown requested: %s", static_cast<std::string&>(request[1]).c_str());
   }
   g_told_to_end = true;
   response = ros::xmlrpc::responseInt(1, "", 0);

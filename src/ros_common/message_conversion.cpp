@@ -18,7 +18,7 @@ namespace {
 std::string nameOf(const std::string& text, const std::string& what) {
   if (text.empty()) throw std::invalid_argument(what + " is empty");
   if (!isName(text)) {
-    throw std::invalid_argument(fmt::format("{} {} is no PDDL name", what, inQuotes(text)));
+    throw std::invalid_argument(fmt::format("{} {} is not a PDDL name", what, inQuotes(text)));
   }
   return toLower(text);
 }

@@ -144,7 +144,7 @@ void ParameterReader::readTexts(const std::string& key, std::vector<std::string>
 void ParameterReader::read(const std::string& key, std::map<std::string, std::string>& texts) {
   XmlRpcValue* found = find(key);
   if (found == nullptr) return;
-  const std::string expected = "texts by names";
+  const std::string expected = "a map from names to texts";
   if (found->getType() != XmlRpcValue::TypeStruct) refuse(key, expected, *found);
   texts.clear();
   for (auto& [name, text] : *found) {

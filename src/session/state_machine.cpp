@@ -31,9 +31,9 @@ Options inRange(Options options) {
 
 Dialogue dialogueAbout(const alignment::Problem& problem, const Options& options) {
   Dialogue dialogue(problem);
-  for (const std::string& predicate : options.hidden_wanted)
+  for (const std::string& predicate : options.assumed_wanted_predicates)
     dialogue.assume(predicate, Knowledge::Unsure);
-  for (const std::string& predicate : options.hidden_not_wanted)
+  for (const std::string& predicate : options.assumed_unwanted_predicates)
     dialogue.assume(predicate, Knowledge::NotWanted);
   return dialogue;
 }

@@ -184,7 +184,7 @@ TEST_F(AnswerService, thatAllAnswersWereRefusedIsSaidInTheEnd) {
   EXPECT_FALSE(answer(Answer::Request::NO, 0, {"(clean hall)"}).accepted);
   const AlignResult result = awaitResult();
   EXPECT_EQ(result.outcome, AlignResult::NO_ANSWER) << result.message;
-  EXPECT_NE(result.message.find("answers came, all refused: 7 is no answer"), std::string::npos)
+  EXPECT_NE(result.message.find("answers came, all refused: 7 is not an answer"), std::string::npos)
       << result.message;
   EXPECT_NE(result.message.find("(clean hall) is part of the specified goal"), std::string::npos)
       << result.message;

@@ -281,7 +281,7 @@ TEST_F(OddDialogue, thatNamesAForeignQuestionIsRefused) {
 
 TEST_F(OddDialogue, thatGivesAnAnswerWhichIsNoneIsRefused) {
   expectRefused([](const Question& question) { return answered(7, question.question_id); },
-                "7 is no answer");
+                "7 is not an answer");
 }
 
 TEST_F(OddDialogue, thatAnswersFluentsOfNoQuestionIsRefused) {
@@ -289,7 +289,7 @@ TEST_F(OddDialogue, thatAnswersFluentsOfNoQuestionIsRefused) {
       [](const Question& question) {
         return answered(AskHuman::Response::YES, question.question_id, {"(room hall)"});
       },
-      "(room hall) is no part of question");
+      "(room hall) is not part of question");
 }
 
 TEST_F(OddDialogue, thatVolunteersSomethingElseIsHeardAndAskedAgain) {

@@ -201,7 +201,8 @@ TEST_F(Memory, aTaskThatWasUnderWayInACrashIsToldOf) {
   EXPECT_EQ(lost->task_id, "sweep");
   EXPECT_EQ(lost->person, "Ann");
   const std::string said =
-      "I was restarted while the task sweep of Ann was under way: send it again to go on";
+      "the aligner was restarted while the task sweep of Ann was under way: send it again to "
+      "continue";
   EXPECT_EQ(lost->message, said);
   EXPECT_TRUE(events_.waitFor([&](const std_msgs::String& line) { return line.data == said; }));
   EXPECT_TRUE(waitForEnd(align_));

@@ -263,7 +263,7 @@ TEST_F(Services, explainRefusesWhatItCannotRead) {
   EXPECT_TRUE(contains(nothing.text, "Name what is to be supposed")) << nothing.text;
   const auto unknown = explain({}, 9);
   EXPECT_FALSE(unknown.known);
-  EXPECT_TRUE(contains(unknown.text, "9 is no kind of explanation")) << unknown.text;
+  EXPECT_TRUE(contains(unknown.text, "9 is not a kind of explanation")) << unknown.text;
   const std::string control(3, '\x01');
   for (const std::string& rubbish :
        {std::string(), std::string("((("), std::string("quiet hall)"), control, std::string("()"),

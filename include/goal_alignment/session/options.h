@@ -36,9 +36,9 @@ struct Options {
   bool negative_candidates = false;  ///< "not f" is a candidate, too, where the robot may make f so
   /// Predicates that nobody is asked about. Their candidates are assumed to be wanted: a plan keeps
   /// them, a proof of "no plan" may not rest on them. Names match without case.
-  std::vector<std::string> hidden_wanted;
+  std::vector<std::string> assumed_wanted_predicates;
   /// The same, assumed not to be wanted: what the plan promises then does not hold for them.
-  std::vector<std::string> hidden_not_wanted;
+  std::vector<std::string> assumed_unwanted_predicates;
   /// What nobody was asked about is kept as long as that costs no more than this beyond a plan for
   /// what is wanted; else the person is asked. Not negative.
   double max_extra_cost = std::numeric_limits<double>::infinity();

@@ -48,8 +48,8 @@ struct FinalPlan {
   std::int64_t extra_cost = 0;  ///< what `kept_unasked` costs beyond the cheapest plan found for
                                 ///< `guaranteed`; that plan need not be the cheapest there is
   std::vector<Literal> not_wanted;          ///< candidates answered NO
-  std::vector<Literal> assumed_not_wanted;  ///< Options::hidden_not_wanted: nobody was asked, and
-                                            ///< the plan does not promise them
+  std::vector<Literal> assumed_not_wanted;  ///< Options::assumed_unwanted_predicates: nobody was
+                                            ///< asked, and the plan does not promise them
 };
 
 /// What could be had instead, where a dialogue ended without a plan. After code 52 there is a plan

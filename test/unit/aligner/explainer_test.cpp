@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/explainer.h"
+#include "aligner/explainer.h"
 
 #include <gtest/gtest.h>
 

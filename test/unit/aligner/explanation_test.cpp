@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/explanation.h"
+#include "aligner/explanation.h"
 
 #include <gtest/gtest.h>
 

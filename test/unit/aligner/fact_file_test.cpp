@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/fact_file.h"
+#include "aligner/fact_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <string>
 
-#include "goal_alignment/aligner/explanation.h"
-#include "goal_alignment/aligner/outcome_text.h"
-#include "goal_alignment/aligner/what_if_query.h"
+#include "aligner/explanation.h"
+#include "aligner/outcome_text.h"
+#include "aligner/what_if_query.h"
 #include "nodes/demo_narrator.h"
 
 namespace goal_alignment::aligner {

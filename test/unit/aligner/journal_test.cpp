@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/journal.h"
+#include "aligner/journal.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

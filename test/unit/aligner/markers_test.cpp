@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/markers.h"
+#include "aligner/markers.h"
 
 #include <gtest/gtest.h>
 

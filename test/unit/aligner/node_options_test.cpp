@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/node_options.h"
+#include "aligner/node_options.h"
 
 #include <gtest/gtest.h>
 
@@ -35,8 +35,8 @@ TEST(NodeOptions, defaultsWhereNothingIsSet) {
   EXPECT_EQ(options.session.max_questions, -1);
   EXPECT_EQ(options.session.max_group_size, 1U);
   EXPECT_FALSE(options.session.negative_candidates);
-  EXPECT_TRUE(options.session.hidden_wanted.empty());
-  EXPECT_TRUE(options.session.hidden_not_wanted.empty());
+  EXPECT_TRUE(options.session.assumed_wanted_predicates.empty());
+  EXPECT_TRUE(options.session.assumed_unwanted_predicates.empty());
   EXPECT_EQ(options.session.max_extra_cost, std::numeric_limits<double>::infinity());
   EXPECT_EQ(options.ask_timeout, 0);
   EXPECT_TRUE(options.robot_domain.empty());
@@ -89,8 +89,9 @@ TEST(NodeOptions, whatIsAskedAboutIsTakenOver) {
   NodeOptions options = read(values);
   EXPECT_EQ(options.session.max_group_size, 255U);
   EXPECT_TRUE(options.session.negative_candidates);
-  EXPECT_EQ(options.session.hidden_wanted, (std::vector<std::string>{"robot-at", "dusty"}));
-  EXPECT_TRUE(options.session.hidden_not_wanted.empty());
+  EXPECT_EQ(options.session.assumed_wanted_predicates,
+            (std::vector<std::string>{"robot-at", "dusty"}));
+  EXPECT_TRUE(options.session.assumed_unwanted_predicates.empty());
   EXPECT_EQ(options.session.max_extra_cost, 0);
   values["max_extra_cost"] = -1;
   EXPECT_EQ(read(values).session.max_extra_cost, std::numeric_limits<double>::infinity());
@@ -208,8 +209,8 @@ TEST(NodeOptions, formerNamesOfParametersStillCount) {
   values["assumed_unwanted_predicates"] = listOf({"light"});
   const NodeOptions options = read(values);
   EXPECT_EQ(options.tf_timeout, 7);
-  EXPECT_EQ(options.session.hidden_wanted, std::vector<std::string>{"dusty"});
-  EXPECT_EQ(options.session.hidden_not_wanted, std::vector<std::string>{"light"})
+  EXPECT_EQ(options.session.assumed_wanted_predicates, std::vector<std::string>{"dusty"});
+  EXPECT_EQ(options.session.assumed_unwanted_predicates, std::vector<std::string>{"light"})
       << "the new name counts where both are given";
   ASSERT_EQ(options.warnings.size(), 3U);
   EXPECT_EQ(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/outcome_text.h"
+#include "aligner/outcome_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/question_bridge.h"
+#include "aligner/question_bridge.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -101,11 +101,12 @@ TEST_F(Bridge, anAnswerToTheOpenQuestionIsTakenOnce) {
 TEST_F(Bridge, refusalsSayWhy) {
   EXPECT_EQ(submit(kNo).message, "no question is open");
   const std::uint32_t id = bridge_.open({literal("(a)")});
-  EXPECT_EQ(submit(4, id).message, "4 is no answer: expected NO=0, YES=1, UNSURE=2 or DECLINE=3");
+  EXPECT_EQ(submit(4, id).message,
+            "4 is not an answer: expected NO=0, YES=1, UNSURE=2 or DECLINE=3");
   EXPECT_EQ(submit(-1, id).accepted, false);
   EXPECT_EQ(submit(kNo, id + 5000).message,
             "question " + std::to_string(id + 5000) + " was not asked here");
-  EXPECT_EQ(submit(kNo, id, {"(b)"}).message, "(b) is no part of question " + std::to_string(id));
+  EXPECT_EQ(submit(kNo, id, {"(b)"}).message, "(b) is not part of question " + std::to_string(id));
   EXPECT_EQ(submit(kNo, 0, {"(c)"}).message, "(c) is answered already: use ~revise_answer");
   EXPECT_EQ(submit(kNo, 0, {"(g)"}).message, "(g) is part of the specified goal");
   EXPECT_EQ(submit(kNo, 0, {"(x)"}).message, "(x) is outside the state that the person expects");
@@ -479,7 +480,7 @@ TEST_F(Bridge, remembersWhyAnswersToTheOpenQuestionWereRefused) {
   EXPECT_FALSE(submit(kNo, 0, {"(g)"}).accepted);
   EXPECT_FALSE(submit(9).accepted);
   EXPECT_FALSE(submit(kNo, 0, {"(c)"}).accepted);
-  const std::string nine = "9 is no answer: expected NO=0, YES=1, UNSURE=2 or DECLINE=3";
+  const std::string nine = "9 is not an answer: expected NO=0, YES=1, UNSURE=2 or DECLINE=3";
   const std::string last = "(g) is part of the specified goal; " + nine +
                            "; (c) is answered already: use ~revise_answer";
   EXPECT_EQ(bridge_.refusals(), last);

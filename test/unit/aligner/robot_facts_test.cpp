@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/robot_facts.h"
+#include "aligner/robot_facts.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -63,7 +63,7 @@ TEST(RobotFacts, areTakenAllOrNone) {
   refused({fact("lit", {"cellar"})}, "cellar");
   refused({fact("lit", {})}, "takes 1 argument");
   refused({fact("lit", {"hall"}), fact("lit", {"hall"}, true)}, "both true and false");
-  refused({fact("l it", {})}, "no PDDL name");
+  refused({fact("l it", {})}, "not a PDDL name");
   refused({fact("", {})}, "empty");
 }
 

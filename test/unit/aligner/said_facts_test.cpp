@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/said_facts.h"
+#include "aligner/said_facts.h"
 
 #include <gtest/gtest.h>
 

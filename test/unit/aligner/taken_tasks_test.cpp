@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/taken_tasks.h"
+#include "aligner/taken_tasks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/task_repeats.h"
+#include "aligner/task_repeats.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goal_alignment/aligner/what_if_query.h"
+#include "aligner/what_if_query.h"
 
 #include <gtest/gtest.h>
 

@@ -58,8 +58,8 @@ RC_GTEST_PROP(Hidden, NoVerdictRestsOnWhatWasAssumed, ()) {
   Options chosen = samples::anyOptions(random);
   chosen.max_group_size = 1 + random.below(3);
   if (oracles::chance(random, 0.3)) chosen.unsure_policy = UnsurePolicy::Defer;
-  chosen.hidden_wanted = {hidden.wanted.begin(), hidden.wanted.end()};
-  chosen.hidden_not_wanted = {hidden.not_wanted.begin(), hidden.not_wanted.end()};
+  chosen.assumed_wanted_predicates = {hidden.wanted.begin(), hidden.wanted.end()};
+  chosen.assumed_unwanted_predicates = {hidden.not_wanted.begin(), hidden.not_wanted.end()};
   Session session(chosen);
   session.begin(hagl.input);
   for (const Literal& fluent : talk(session, honest(hagl))) {
@@ -99,7 +99,7 @@ RC_GTEST_PROP(Hidden, NoVerdictRestsOnWhatWasAssumed, ()) {
 
 TEST(Hidden, TheResultSaysWhatWasAssumed) {
   Options chosen;
-  chosen.hidden_not_wanted = {"HELD"};
+  chosen.assumed_unwanted_predicates = {"HELD"};
   Session session(chosen);
   session.begin(samples::desk());
   EXPECT_TRUE(talk(session, wanting({"(free)"})).empty());
@@ -113,8 +113,8 @@ TEST(Hidden, TheResultSaysWhatWasAssumed) {
 
 TEST(Hidden, WhatIsVolunteeredCountsInstead) {
   Options chosen;
-  chosen.hidden_not_wanted = {"held"};
-  chosen.hidden_wanted = {"down"};
+  chosen.assumed_unwanted_predicates = {"held"};
+  chosen.assumed_wanted_predicates = {"down"};
   Session session(chosen);
   session.begin(samples::desk());
   session.step();  // the models are read
@@ -131,7 +131,7 @@ TEST(Hidden, WhatIsVolunteeredCountsInstead) {
 
 TEST(Hidden, WhatNobodyIsAskedAboutIsNotAskedOnceMore) {
   Options chosen;
-  chosen.hidden_wanted = {"held"};
+  chosen.assumed_wanted_predicates = {"held"};
   chosen.unsure_policy = UnsurePolicy::Defer;
   Session session(chosen);
   session.begin(samples::desk());
