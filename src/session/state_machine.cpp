@@ -268,7 +268,7 @@ void Session::StateMachine::finish(OutcomeCode code, std::string message) {
 }
 
 void Session::StateMachine::finish(Outcome outcome) {
-  // A cancel is used up by the outcome it brings about: the session can go on after it.
+  // A cancel is used up by the outcome it brings about: the session can be resumed after it.
   if (outcome.code == OutcomeCode::Canceled) budget_.cancel().reset();
   if (outcome.code == OutcomeCode::BudgetLimit) outcome.message += "; more time would not help";
   if (outcome.alternatives.empty())

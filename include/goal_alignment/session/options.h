@@ -30,7 +30,7 @@ struct Options {
   std::uint64_t seed = 0;       ///< breaks ties
   alignment::BeliefOptions belief;
   ConflictMode conflicts = ConflictMode::Full;
-  /// Nothing: AsYes; for a session that goes on, the one that it has.
+  /// Nothing: AsYes; for a session that is resumed, the one that it has.
   std::optional<UnsurePolicy> unsure_policy;
   std::size_t max_group_size = 1;    ///< fluents that one question may offer, 1 or more
   bool negative_candidates = false;  ///< "not f" is a candidate, too, where the robot may make f so

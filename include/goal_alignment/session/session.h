@@ -204,7 +204,7 @@ class Session {
   SubmitResult answer(const std::vector<Literal>& fluents, AnswerKind kind,
                       const std::string& answered_by);
 
-  /// Replaces earlier answers; from Done the session goes on.
+  /// Replaces earlier answers; from Done the session resumes.
   SubmitResult revise(const std::vector<Literal>& fluents, AnswerKind kind,
                       const std::string& answered_by);
 
@@ -230,7 +230,7 @@ class Session {
   /// Goes on under the limits and the max_group_size of `options`, and under their unsure_policy
   /// where they name one; max_questions counts from here.
   /// After an outcome that decided nothing (50, 53 to 55, 60 to 62, 64), or that was due to the
-  /// world outside (70, 73), the work is taken up again where it was left; a definite outcome
+  /// world outside (70, 73), the work resumes where it was left; a definite outcome
   /// stays. After 55 other answers, another robot state or more memory can lead further; more time
   /// alone can't. Throws std::invalid_argument like the constructor.
   void resume(const Options& options);

@@ -264,7 +264,7 @@ Input pairsOfLamps() {
 // What is not known of a conflict that another answer has settled is not asked once more.
 TEST(Unsure, OnlyWhatBlocksIsAskedOnceMore) {
   std::size_t settled_by_another = 0;
-  for (const std::string& policy : {"auto", "optimal", "ratio"}) {
+  for (const char* policy : {"auto", "optimal", "ratio"}) {
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
       Options chosen = options(policy, ConflictMode::Full, seed);
       chosen.unsure_policy = UnsurePolicy::Defer;
