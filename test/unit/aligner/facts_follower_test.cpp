@@ -80,15 +80,15 @@ TEST_F(FactsFollowerTest, passesReportedFactsToTheSession) {
 
 TEST_F(FactsFollowerTest, waitsForTfAndThenGivesUp) {
   tf_.follow(spatial_facts::Rules::fromYaml(kRules, "rules.yaml"));
-  record_.options.tf_patience = 3600;
+  record_.options.tf_timeout = 3600;
   loadModels();
   follower_.update();
   EXPECT_TRUE(follower_.mustWait());
-  EXPECT_TRUE(follower_.isWithinPatience());
+  EXPECT_TRUE(follower_.isWithinTimeout());
   EXPECT_FALSE(follower_.haveChanged());
   EXPECT_NE(follower_.missingFacts().find("(red b)"), std::string::npos);
-  record_.options.tf_patience = 0;
-  EXPECT_FALSE(follower_.isWithinPatience());
+  record_.options.tf_timeout = 0;
+  EXPECT_FALSE(follower_.isWithinTimeout());
   EXPECT_TRUE(follower_.haveChanged());
   follower_.update();
   EXPECT_EQ(record_.session->state(), State::Done);
