@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "md5.h"
 
-#include <boost/algorithm/hex.hpp>
+#include <fmt/format.h>
+
 #include <boost/uuid/detail/md5.hpp>
-#include <iterator>
 
 namespace goal_alignment::any_message {
 
@@ -12,10 +12,10 @@ std::string md5Of(const std::string& text) {
   hash.process_bytes(text.data(), text.size());
   boost::uuids::detail::md5::digest_type digest;
   hash.get_digest(digest);
-  // Words or bytes by Boost's version; in memory they are the digest's bytes in their order.
-  const auto* bytes = reinterpret_cast<const unsigned char*>(&digest);
+  // Four numbers, or in newer Boosts sixteen, whose digits follow one another.
   std::string digits;
-  boost::algorithm::hex_lower(bytes, bytes + sizeof digest, std::back_inserter(digits));
+  for (const auto part : digest)
+    digits += fmt::format("{:0{}x}", part, 2 * sizeof part);
   return digits;
 }
 
