@@ -61,9 +61,7 @@ target_link_libraries(goal_alignment_execution PUBLIC
   goal_alignment_any_message goal_alignment_ros_common yaml-cpp)
 
 # Floor 10: one small main a program; what narrates the demo is a library for its unit tests.
-set(demo_parts demo_narrator.cpp task_file.cpp)
-list(TRANSFORM demo_parts PREPEND src/nodes/)
-add_library(goal_alignment_demo STATIC ${demo_parts})
+add_library(goal_alignment_demo STATIC src/nodes/demo_narrator.cpp src/nodes/task_file.cpp)
 goal_alignment_ros_target(goal_alignment_demo)
 target_link_libraries(goal_alignment_demo PUBLIC goal_alignment_ros_common PRIVATE fmt::fmt yaml-cpp)
 
