@@ -8,6 +8,7 @@
 #include "goal_alignment/spatial_facts/rules.h"
 
 namespace goal_alignment::aligner {
+
 using session::OutcomeCode;
 using session::State;
 

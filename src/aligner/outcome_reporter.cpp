@@ -8,6 +8,7 @@
 #include "outcome_text.h"
 
 namespace goal_alignment::aligner {
+
 using session::OutcomeCode;
 
 OutcomeReporter::OutcomeReporter(const SessionRecord& current, const Sinks& sinks,

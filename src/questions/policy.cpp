@@ -7,6 +7,7 @@
 
 #include "ask_all_policy.h"
 #include "auto_policy.h"
+#include "goal_alignment/common/listed.h"
 #include "optimal_policy.h"
 #include "paper_policy.h"
 #include "ratio_policy.h"
@@ -44,12 +45,11 @@ std::vector<std::string> policyNames() {
 }
 
 std::unique_ptr<Policy> makePolicy(const std::string& name, PolicyContext context) {
-  std::string known;
   for (const Entry& entry : kPolicies) {
     if (name == entry.name) return entry.make(std::move(context));
-    known += (known.empty() ? "" : ", ") + std::string(entry.name);
   }
-  throw std::invalid_argument("unknown policy '" + name + "'; there are: " + known);
+  throw std::invalid_argument("unknown policy '" + name + "'; there are: " +
+                              listed(kPolicies, [](const Entry& entry) { return entry.name; }));
 }
 
 }  // namespace goal_alignment::questions

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fluents.h"
 
+#include "goal_alignment/common/listed.h"
+
 namespace goal_alignment::session {
 
 using achievability::CandidateSet;
@@ -27,12 +29,10 @@ std::string spelling(const Problem& problem, const GroundName& ground) {
 }
 
 std::string listed(const Problem& problem, const std::vector<Literal>& literals) {
-  std::string text;
-  for (const Literal& literal : literals) {
+  return goal_alignment::listed(literals, [&](const Literal& literal) {
     const std::string atom = spelling(problem, literal.atom);
-    text += (text.empty() ? "" : ", ") + (literal.negated ? "(not " + atom + ")" : atom);
-  }
-  return text;
+    return literal.negated ? "(not " + atom + ")" : atom;
+  });
 }
 
 std::string askedFor(const Problem& problem) {
